@@ -229,7 +229,7 @@ TSAN_BUILD  := BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread ENGINES='f32x8
 # What reads strangers' bytes, with clang's fuzzer; nothing of it is traced, so it has no engine.
 FUZZ_BUILD  := BUILD=build/fuzz CC=clang CXX=clang++ OPTIMIZE='-O1 -g' SANITIZE=fuzzer-no-link,address,undefined,float-cast-overflow ENGINES=
 # Counts which lines and branches run; those of the engines are not counted, which are as fast as ever.
-COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1 ENGINES='f32x8 f64x1 f128x1'
+COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1 ENGINES='f32x8 f32x4 f32x1 f64x1 f128x1'
 .PHONY: asan tsan clang
 asan:
 	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
@@ -256,7 +256,7 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 
-# The floors are below what was measured by a little; tests/coverage.sh names the tests that count.
+# The shares of lines and branches that tests reach: tests/coverage.sh has their floors and the tests that count.
 .PHONY: coverage
 coverage: test-packages
 	@.ci/packages $(COVERAGE_PACKAGES)

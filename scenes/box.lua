@@ -19,15 +19,15 @@ light { position = {0, 1.75, 0.6}, color = {1, 1, 1}, intensity = 1.2 }
 sky { horizon = {0.12, 0.17, 0.30}, zenith = {0.02, 0.04, 0.12} }
 
 -- The five walls: all are matt and green, each a little different, so that corners show.
--- A quad starts at a corner and goes along two edges, u and v.
+-- A quad starts at a corner and goes along two edges, u and v. Its normal, u x v, points into the box.
 local function wall(color, corner, u, v)
   quad { corner = corner, u = u, v = v, material = material { color = color } }
 end
 
-wall({0.10, 0.36, 0.11}, {-2, -2, -2}, {4, 0, 0}, {0, 0, 4})   -- floor
+wall({0.10, 0.36, 0.11}, {-2, -2, -2}, {0, 0, 4}, {4, 0, 0})   -- floor
 wall({0.14, 0.44, 0.16}, {-2,  2, -2}, {4, 0, 0}, {0, 0, 4})   -- ceiling
 wall({0.13, 0.46, 0.16}, {-2, -2, -2}, {4, 0, 0}, {0, 4, 0})   -- back
-wall({0.07, 0.36, 0.13}, {-2, -2, -2}, {0, 0, 4}, {0, 4, 0})   -- left
+wall({0.07, 0.36, 0.13}, {-2, -2, -2}, {0, 4, 0}, {0, 0, 4})   -- left
 wall({0.15, 0.40, 0.08}, { 2, -2, -2}, {0, 0, 4}, {0, 4, 0})   -- right
 
 -- The red sphere lies on the floor: its centre is as high above it as its radius.

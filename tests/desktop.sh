@@ -56,7 +56,7 @@ completes '--samples --sampling ' dioptre render --samp
 completes 'f32x1 f32x16 f32x4 f32x8 ' dioptre render --engine f32
 completes 'scenes/box.lua ' dioptre render scenes/box
 completes '--rays ' dioptre bench --ra
-completes 'scenes/lessons/shadows-and-acne.lua ' dioptre view --lesson scenes/lessons/shad
+completes 'scenes/lessons/01-shadows.lua ' dioptre view --lesson scenes/lessons/01
 completes ' ' dioptre render --ra
 completes 'fresnel-into fresnel-out ' dioptre lab fres
 completes 'sphere-ground ' dioptre chart --kernels sphere-gr

@@ -23,6 +23,22 @@ wrong "$begin caption {}" '1: caption needs words: .*'
 wrong "$begin caption { en = 3 }" '1: en must be text, not a number'
 wrong "$begin caption { de = \"x\" }" '1: caption has no field `de`'
 wrong "$begin wait(-1)" '1: seconds must be at least 0 and at most 3600, not -1'
+choices='choices = {"a", "b"}'
+wrong "$begin ask {}" '1: ask needs words: .*'
+wrong "$begin ask \"x\"" '1: ask takes .*'
+wrong "$begin ask { en = \"x\", rihgt = 1 }" '1: ask has no field `rihgt`; did you mean `right`\?'
+wrong "$begin ask { en = \"x\" }" '1: choices must be a list, not nothing'
+wrong "$begin ask { en = \"x\", choices = {\"a\"} }" '1: choices must be a list of 2 to 9 texts, not of 1'
+wrong "$begin ask { en = \"x\", choices = {\"a\", {}} }" '1: choices needs words: .*'
+wrong "$begin ask { en = \"x\", choices = {\"a\", {e = 1}} }" '1: choices has no field `e`.*'
+wrong "$begin ask { en = \"x\", $choices }" '1: right must be .*'
+wrong "$begin ask { en = \"x\", $choices, right = 3 }" '1: right must be at most 2, the number of choices, not 3'
+wrong "$begin ask { en = \"x\", $choices, right = 0 }" '1: right must be at least 1 and at most 9, not 0'
+wrong "$begin ask { en = \"x\", $choices, right = 1 }" '1: because must be text, not nothing'
+wrong "$begin for i = 1, 65 do ask { en = \"x\", $choices, right = 1, because = \"y\" } end" \
+    '1: a lesson may have at most 64 questions'
+wrong "lesson { scene = \"$box\", learnt = \"x\" }" '1: learnt must be a list, not a string'
+wrong "lesson { scene = \"$box\", learnt = {1, 2, 3, 4, 5, 6, 7} }" '1: learnt must be a list of 0 to 6 texts, not of 7'
 wrong "$begin wiat(1)" '1: unknown word `wiat`; did you mean `wait`\?'
 wrong "$begin turn(1)" '1: it is called so: turn\(DEGREES_RIGHT, DEGREES_UP\)'
 wrong "$begin $begin" '1: a file holds one lesson, not two'
@@ -42,33 +58,45 @@ expect 2 'lesson-snapshots needs --lesson' 'snapshots of no lesson' "$dioptre" v
 # --- without hands -------------------------------------------------------------------------------
 start_server
 
-# shots LESSON FOLDER: what it shows at its captions; the views are in FOLDER/views.
+# shots LESSON FOLDER OPTION...: what it shows at its captions; the views are in FOLDER/views.
 shots() {
     mkdir "$2"
-    expect 0 '' "$(basename "$1" .lua), without hands" timeout 120 "$dioptre" view --lesson "$1" --samples 1 --lesson-snapshots "$2"
+    expect 0 '' "$(basename "$1" .lua), without hands" timeout 120 "$dioptre" view --lesson "$1" --samples 1 --lesson-snapshots "$2" "${@:3}"
     cp "$work/out" "$2/views"
 }
-# as_rendered VIEW SCENE: a snapshot must be what render draws of its view.
+# as_rendered VIEW SCENE OPTION...: a snapshot must be what render draws of its view.
 as_rendered() {
     local shot=${1##*-- }
     { echo "$1"; grep -vE '^ *(camera|light)' "$2"; } >"$work/seen.lua"
-    "$dioptre" render "$work/seen.lua" --samples 1 -s 800x600 -o "$work/seen.bmp"
+    "$dioptre" render "$work/seen.lua" --samples 1 -s 800x600 "${@:3}" -o "$work/seen.bmp"
     same "$shot" "$work/seen.bmp" "$(basename "$shot") equals render"
 }
-for lesson in shadows-and-acne:figure-c4 mirrors-and-glass:lessons/mirror-and-ball speed-and-accuracy:box; do
-    taught=${lesson%:*} scene=scenes/${lesson#*:}.lua
-    shots "scenes/lessons/$taught.lua" "$work/$taught"
-    count=$(grep -c '^caption' "scenes/lessons/$taught.lua")
-    [ "$(ls "$work/$taught" | grep -c bmp)" = "$count" ] && [ "$count" -ge 8 ] && ok "a picture at each of $count captions" ||
-        fail "$taught: $(ls "$work/$taught" | grep -c bmp) pictures of $count captions"
-    grep -cE 'en =' "scenes/lessons/$taught.lua" >"$work/a"
-    grep -cE 'fr =' "scenes/lessons/$taught.lua" >"$work/b"
+# Each of the nine plays to its end, with a picture at each caption and explanation; the first, the last and
+# one in between are what render draws.
+[ "$(ls scenes/lessons/0*.lua | wc -l)" = 9 ] && ok 'nine lessons' || fail "$(ls scenes/lessons)"
+for file in scenes/lessons/0*.lua; do
+    taught=$(basename "$file" .lua)
+    shots "$file" "$work/$taught"
+    count=$(($(grep -c '^caption' "$file") + $(grep -c '^ask' "$file")))
+    [ "$(ls "$work/$taught" | grep -c bmp)" = "$count" ] && [ "$count" -ge 7 ] && ok "$taught: $count pictures" ||
+        fail "$taught: $(ls "$work/$taught" | grep -c bmp) pictures of $count captions and questions"
+    grep -c '^ask' "$file" >"$work/a" && [ "$(cat "$work/a")" -ge 4 ] && ok 'asks' || fail "$(cat "$work/a") questions"
+    grep -oE '\ben =' "$file" | wc -l >"$work/a"
+    grep -oE '\bfr =' "$file" | wc -l >"$work/b"
     same "$work/a" "$work/b" 'in both languages'
-    # The first, the last and one in between.
-    for number in 1 $((count / 2)) "$count"; do
-        as_rendered "$(sed -n "${number}p" "$work/$taught/views")" "$scene"
-    done
 done
+while read -r taught scene number options; do
+    # shellcheck disable=SC2086 # Several words.
+    as_rendered "$(sed -n "${number}p" "$work/$taught/views")" "scenes/$scene.lua" $options
+done <<END
+01-shadows figure-c4 1
+01-shadows figure-c4 4
+03-glass glass-sphere 1 --depth 0
+03-glass glass-sphere 2 --depth 8
+06-acne figure-c4 2 --offset none
+07-depth facing-mirrors 3 --depth 2
+END
+
 
 # --- by hand: in real time, held and let go on, with the viewer's own moves in between --------------
 cat >"$work/lesson.lua" <<END
@@ -97,7 +125,7 @@ shots "$work/lesson.lua" "$work/quick"
 [ "$(wc -l <"$work/quick/views")" = 3 ] && ok 'captions and the step snapshot' || fail "$(cat "$work/quick/views")"
 view_of() { sed 's/  -- .*//' <<<"$1"; }
 second=$(view_of "$(sed -n 2p "$work/quick/views")")
-open "$box" --lesson "$work/lesson.lua"
+with_bar=1 open "$box" --lesson "$work/lesson.lua"
 expect_shown '400×300.*finished' 'its own size'
 xdotool key p
 expect_shown saved 'a snapshot of the first caption'
@@ -116,12 +144,64 @@ xdotool key d
 expect_shown 'finished' 'after its last caption'
 xdotool key space
 expect_shown 'the lesson is over' 'it ends'
-xdotool key Escape
-closed 'Esc leaves' 0
-open "$box" --lesson "$work/lesson.lua"
+leave
+with_bar=1 open "$box" --lesson "$work/lesson.lua"
 expect_shown '400×300' 'once more'
 xdotool key space && sleep 0.2 && kill -INT "$pid"
 closed 'SIGINT in the middle' 130
+
+# --- questions -------------------------------------------------------------------------------------
+cat >"$work/asks.lua" <<END
+lesson { scene = "$box", size = {400, 300}, samples = 1, title = "Try", learnt = { "One." } }
+local q = { en = "Where?", choices = { "a", "b", "c" }, right = 2, because = "So." }
+END
+cat >>"$work/asks.lua" <<'END'
+ask(q)
+hold("light left", 0.3)
+caption { en = "Two", wait = true }
+press "split" press "engine"
+ask(q)
+hold("light up", 0.2)
+END
+shots "$work/asks.lua" "$work/right" --answers "$work/right.csv"
+[ "$(cut -d, -f2- "$work/right.csv" | tr '\n' ' ')" = 'lesson,question,choice,right "asks",1,2,1 "asks",2,2,1 ' ] &&
+    ok 'without hands the right answers' || fail "$(cat "$work/right.csv")"
+shots "$work/asks.lua" "$work/other" --answers "$work/right.csv" --predictions 3
+[ "$(tail -2 "$work/right.csv" | cut -d, -f2- | tr '\n' ' ')" = '"asks",1,3,0 "asks",2,2,1 ' ] && ok 'or those of --predictions' ||
+    fail "$(cat "$work/right.csv")"
+[ "$(wc -l <"$work/right.csv")" = 5 ] && ok 'one head' || fail "$(cat "$work/right.csv")"
+same "$work/right/asks-0003.bmp" "$work/other/asks-0003.bmp" 'whatever was predicted, the same is shown'
+expect 2 "predictions takes digits from 1 to 9, not '0'" 'no choice 0' "$dioptre" view --lesson "$work/asks.lua" --predictions 0
+expect 1 'cannot write' 'answers into a folder' timeout 60 "$dioptre" view "$work/asks.lua" --answers "$work"
+last=$(view_of "$(tail -1 "$work/right/views")")
+with_bar=1 open "$work/asks.lua" --answers "$work/by-hand.csv"
+xdotool key space d && sleep 0.2 # Neither goes on, nor moves the light.
+xdotool key 4 1
+# answered LINES: whether the file has so many lines.
+answered() { [ "$(wc -l <"$work/by-hand.csv")" = "$1" ]; }
+within answered 2 && tail -1 "$work/by-hand.csv" | grep -q '"asks",1,1,0$' && ok 'a key answers' || fail "$(cat "$work/by-hand.csv")"
+sleep 0.6 && xdotool key space && sleep 0.2 && xdotool key comma && sleep 0.3 && xdotool key comma && sleep 0.3
+xdotool key 2 # A step back: the question once more.
+within answered 3 && tail -1 "$work/by-hand.csv" | grep -q '"asks",1,2,1$' && ok 'a step back asks again' || fail "$(cat "$work/by-hand.csv")"
+sleep 0.6 && xdotool key period && sleep 0.3 && xdotool key period && sleep 0.3
+# click_answer ROW: clicks on the second answer, in the middle of the row of answers.
+eval "$(xdotool getwindowgeometry --shell "$window" | sed 's/^/win_/')"
+for y in 60 50 70 40 80; do
+    answered 4 || { xdotool mousemove --window "$window" $((win_WIDTH / 2)) $((win_HEIGHT - y)) && sleep 0.3 && xdotool click 1 && sleep 0.5; }
+done
+within answered 4 && ok 'a click answers' || fail "$(cat "$work/by-hand.csv")"
+expect_shown 'finished' 'what was asked about'
+sleep 0.5 && xdotool key c && sleep 0.3
+[ "$(tail -1 "$work/log")" = "$last" ] && ok 'after steps back and on the same view to the bit' || fail "$(tail -1 "$work/log") is not $last"
+xdotool key space
+expect_shown 'the lesson is over' 'the end card'
+xdotool key 2 && sleep 0.5 && xdotool key 3
+within answered 5 && ok 'again: from the beginning' || fail "$(cat "$work/by-hand.csv")"
+xdotool key Escape && sleep 0.2
+ended "$pid" && fail 'Esc asks' || ok 'Esc asks'
+xdotool key Escape && sleep 0.3
+ended "$pid" && fail 'Esc again ends the lesson alone' || ok 'Esc again ends the lesson alone'
+leave
 expect 1 'cannot write' 'a folder that is not there' timeout 60 "$dioptre" view --lesson "$work/lesson.lua" --lesson-snapshots "$work/nowhere"
 
 # --- recorded --------------------------------------------------------------------------------------

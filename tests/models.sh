@@ -2,7 +2,7 @@
 # Models as a person meets them: what info and progress tell, and that no model file, however broken,
 # brings the program down. With the sanitizer build, each within a limit of time.
 . "$(dirname "$0")/check.sh"
-dioptre=$PWD/build/asan/dioptre
+dioptre=$PWD/${DIOPTRE:-build/asan/dioptre}
 limited() { timeout 20 "$@"; }
 cp scenes/models/*.obj tests/meshes/*.obj tests/meshes/*.ply "$work"
 

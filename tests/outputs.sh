@@ -191,18 +191,19 @@ expect 0 'rename' 'a file system that cannot sync' logged FSYNC_ERROR=22 "$diopt
 # --- what killed processes leave ---------------------------------------------------------------------
 rm -rf here/*
 dead=$(sh -c 'echo $$')
-kept="here/a.bmp.$$-0 here/a.bmp.$dead here/a.bmp.$dead-10 here/a.bmp.$dead-00 here/a.bmp.0$dead-0 here/a.bmp.$dead-0x here/a.bmp.x$dead-0 here/b.bmp.$dead-0 here/xa.bmp.$dead-0 here/a.bmp-$dead-0 here/a.bmp.-$dead-0 here/a.bmp.99999999999999999999-0 here/a.bmp.$dead-3"
+mine=here/a.bmp.dioptre
+kept="$mine-$$-0 $mine-$dead $mine-$dead-10 $mine-$dead-00 $mine-0$dead-0 $mine-$dead-0x $mine-x$dead-0 here/b.bmp.dioptre-$dead-0 here/xa.bmp.dioptre-$dead-0 here/a.bmp-dioptre-$dead-0 $mine--$dead-0 $mine-99999999999999999999-0 here/a.bmp.$dead-0 here/a.bmp.Dioptre-$dead-0 $mine-$dead-3"
 # shellcheck disable=SC2086 # a list
-touch "here/a.bmp.$dead-0" "here/a.bmp.$dead-9" $kept
-ln -s ../die.png "here/a.bmp.$dead-1"
-mkdir "here/a.bmp.$dead-2"
-flock "here/a.bmp.$dead-3" sleep 600 &
+touch "$mine-$dead-0" "$mine-$dead-9" $kept
+ln -s ../die.png "$mine-$dead-1"
+mkdir "$mine-$dead-2"
+flock "$mine-$dead-3" sleep 600 &
 locker=$!
-within sh -c "! flock -n here/a.bmp.$dead-3 true"
+within sh -c "! flock -n $mine-$dead-3 true"
 expect 0 '' 'a picture beside what others left' "$dioptre" render "$box" -s 8x6 -o here/a.bmp
-[ ! -e "here/a.bmp.$dead-0" ] && [ ! -e "here/a.bmp.$dead-9" ] && ok 'files of a dead process go' || fail "$(ls here)"
+[ ! -e "$mine-$dead-0" ] && [ ! -e "$mine-$dead-9" ] && ok 'files of a dead process go' || fail "$(ls here)"
 # shellcheck disable=SC2086 # a list
-ls $kept >/dev/null 2>err && [ -L "here/a.bmp.$dead-1" ] && [ -d "here/a.bmp.$dead-2" ] && [ -s die.png ] &&
+ls $kept >/dev/null 2>err && [ -L "$mine-$dead-1" ] && [ -d "$mine-$dead-2" ] && [ -s die.png ] &&
     ok 'files of the living, locked ones, other names, links and folders stay' || fail "$(cat err)"
 pkill -P $locker 2>/dev/null
 kill $locker 2>/dev/null
@@ -210,15 +211,15 @@ wait $locker 2>/dev/null
 for kind in film.mp4 %d.bmp; do
     rm -rf here/*
     in_background "$dioptre" animate "$orbits" -s 640x360 --samples 64 --sampling full -o here/$kind
-    within has '*.*.*-0'
+    within has '*.dioptre-*-0'
     encoder=$(pgrep -P "$pid" -x ffmpeg)
     kill -KILL "$pid"
     wait "$pid" 2>/dev/null
     # An encoder that has just started creates its file.
     [ -z "$encoder" ] || within ended "$encoder"
-    has '*.*.*-0' && ok "$kind: SIGKILL leaves a file" || ok "$kind: SIGKILL came between two files"
+    has '*.dioptre-*-0' && ok "$kind: SIGKILL leaves a file" || ok "$kind: SIGKILL came between two files"
     expect 0 '' "$kind once more" "$dioptre" animate "$orbits" -s 64x36 --samples 1 --frames 0-3 -o here/$kind
-    has '*.*.*-0' && fail "$kind: it is still there: $(ls here)" || ok "$kind: it is gone"
+    has '*.dioptre-*-0' && fail "$kind: it is still there: $(ls here)" || ok "$kind: it is gone"
 done
 
 # --- frames that are there, but not whole ------------------------------------------------------------

@@ -10,10 +10,13 @@
 #include "assets/images/image_worker.h"
 // cmocka has a type of the same name.
 #define SourceLocation ReportLocation
+#include "script/script_question.h"
 #include "script/script_result.h"
 #undef SourceLocation
 
+#include <stdlib.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
@@ -250,7 +253,17 @@ static void test_lessons(void **state) {
     LessonStep caption = {.kind = LESSON_CAPTION, .time = 5};
     caption.text.french = lesson_store_text(lesson, "Légende", &error);
     const LessonStep press = {.kind = LESSON_PRESS, .action = 2};
-    assert_true(lesson_add(lesson, &press, &error) && lesson_add(lesson, &caption, &error));
+    LessonQuestion question = {.choice_count = 2, .right = 1};
+    question.text.english = lesson_store_text(lesson, "Which?", &error);
+    question.choices[0].english = question.choices[1].french = question.text.english;
+    question.because.english = lesson_store_text(lesson, "So", &error);
+    lesson->learnt[0] = question.because;
+    lesson->learnt_count = 1;
+    const LessonStep drag = {
+        .kind = LESSON_DRAG, .time = 5, .x = 2e6, .y = -LENGTH_MAXIMUM, .z = 1};
+    assert_true(lesson_add(lesson, &press, &error) && lesson_add(lesson, &caption, &error) &&
+                lesson_add(lesson, &drag, &error));
+    assert_true(lesson_add_question(lesson, &question, 6, &error));
     const size_t size = lesson_block_size(lesson);
     Lesson *copy = malloc(sizeof *copy);
     assert_non_null(copy);
@@ -282,6 +295,25 @@ static void test_lessons(void **state) {
     LESSON_REFUSED(lesson->steps[0].action, -1);
     LESSON_REFUSED(lesson->steps[0].x, (double)NAN);
     LESSON_REFUSED(lesson->steps[0].y, 1e300);
+    LESSON_REFUSED(lesson->steps[2].action, -1);
+    LESSON_REFUSED(lesson->steps[2].action, LESSON_LIGHTS_MAXIMUM);
+    LESSON_REFUSED(lesson->steps[2].x, 2 * LENGTH_MAXIMUM);
+    LESSON_REFUSED(lesson->steps[2].z, -2 * LENGTH_MAXIMUM);
+    LESSON_REFUSED(lesson->steps[2].z, (double)NAN);
+    LESSON_REFUSED(lesson->steps[3].action, 1);
+    LESSON_REFUSED(lesson->steps[3].action, -1);
+    LESSON_REFUSED(lesson->steps[3].kind, (LessonStepKind)-1);
+    LESSON_REFUSED(lesson->question_count, 0);
+    LESSON_REFUSED(lesson->question_count, LESSON_QUESTIONS_MAXIMUM + 1);
+    LESSON_REFUSED(lesson->questions[0].choice_count, 1);
+    LESSON_REFUSED(lesson->questions[0].choice_count, LESSON_CHOICES_MAXIMUM + 1);
+    LESSON_REFUSED(lesson->questions[0].right, 2);
+    LESSON_REFUSED(lesson->questions[0].right, -1);
+    LESSON_REFUSED(lesson->questions[0].text.french, "outside");
+    LESSON_REFUSED(lesson->questions[0].choices[1].english, (const char *)lesson);
+    LESSON_REFUSED(lesson->questions[0].because.french, lesson->text + lesson->text_used);
+    LESSON_REFUSED(lesson->learnt_count, LESSON_LEARNT_MAXIMUM + 1);
+    LESSON_REFUSED(lesson->learnt[0].english, "outside");
     LESSON_REFUSED(lesson->initial_settings.engine, "f32x8");
     LESSON_REFUSED(lesson->initial_settings.samples, -1);
     LESSON_REFUSED(lesson->initial_settings.depth, 1000);
@@ -293,6 +325,41 @@ static void test_lessons(void **state) {
     assert_false(lesson_validate(lesson, size, ACTIONS, &error));
     free(copy);
     lesson_destroy(lesson);
+}
+
+/** @return Whether the program answers a question. */
+static bool is_answered(ScriptResponder *responder, ScriptQuestionKind kind, const char *name) {
+    ScriptQuestion question = {.kind = (int)kind};
+    WorkerResponse response = {0};
+    snprintf(question.text, sizeof question.text, "%s", name);
+    bool is_valid = script_question_answer(responder, &question, sizeof question, &response);
+    if (response.file > 0) {
+        close(response.file);
+    }
+    return is_valid;
+}
+
+/** A worker learns of no other files than what it runs may name. */
+static void test_questions(void **state) {
+    (void)state;
+    const ScriptRequest request = {.path = "scenes/box.lua"};
+    ScriptResponder *scene = calloc(1, sizeof *scene), *lesson = calloc(1, sizeof *lesson);
+    assert_true(scene && lesson);
+    *scene = (ScriptResponder){.request = &request};
+    *lesson = (ScriptResponder){.request = &request, .is_lesson = true};
+    assert_true(is_answered(scene, SCRIPT_ASK_ASSET, "pictures/die.png"));
+    assert_true(is_answered(scene, SCRIPT_ASK_INCLUDE, "box.lua"));
+    assert_int_equal(scene->answer.error.status, STATUS_OK);
+    assert_true(is_answered(scene, SCRIPT_ASK_INCLUDE, "/etc/passwd"));
+    assert_int_equal(scene->answer.error.status, STATUS_SCENE);
+    assert_false(is_answered(scene, SCRIPT_ASK_SCENE, "/etc/passwd"));
+    assert_false(is_answered(scene, (ScriptQuestionKind)77, "box.lua"));
+    assert_false(is_answered(lesson, SCRIPT_ASK_ASSET, "pictures/die.png"));
+    assert_false(is_answered(lesson, SCRIPT_ASK_INCLUDE, "box.lua"));
+    assert_true(is_answered(lesson, SCRIPT_ASK_SCENE, "box.lua"));
+    assert_false(is_answered(lesson, SCRIPT_ASK_SCENE, "/etc/passwd"));
+    free(lesson);
+    free(scene);
 }
 
 /** A report of any bytes becomes one whose line can be printed. */
@@ -420,6 +487,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_setup_teardown(test_scene_fields, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_scene_words, fixture_set_up, fixture_tear_down),
         cmocka_unit_test(test_lessons),
+        cmocka_unit_test(test_questions),
         cmocka_unit_test(test_reports),
         cmocka_unit_test(test_pictures),
     };

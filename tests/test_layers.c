@@ -4,7 +4,9 @@
  */
 #include "pictures.h"
 
+#include "base/encoding.h"
 #include "render/difference_map.h"
+#include "render/palette.h"
 
 /** Size of the pictures that every engine traces. */
 enum { AOV_WIDTH = 45, AOV_HEIGHT = 29 };
@@ -392,14 +394,175 @@ static void test_difference(void **state) {
     uint8_t a[] = {9, 9, 9, 0, 9, 8, 9, 0, 9, 9, 19, 0, 0, 0, 0, 0};
     const uint8_t b[] = {9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0, 255, 0, 1, 0};
     DifferenceMap difference = difference_map_draw(a, b, 4, a);
-    assert_int_equal(difference.max_difference, 255);
+    assert_true(difference.max_difference == 255);
     assert_int_equal((int)difference.differing_pixels, 2);
     assert_true(a[0] == a[1] && a[1] == a[2] && a[0] > 240);
     assert_true(a[4] > a[6] && a[10] > a[8] && a[12] > a[14]);
     LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
-    size_t count = difference_map_legend(ticks);
+    size_t count = difference_map_legend(&difference, ticks);
     assert_true(count > 4 && count <= LEGEND_ENTRIES_MAXIMUM);
     assert_string_equal(ticks[count / 2].number, "0");
+}
+
+/**
+ * Two pictures of a layer differ in its numbers, with their unit: signed, white where they are
+ * equal, grey where one has none. What has no number in both is equal.
+ */
+static void test_value_difference(void **state) {
+    (void)state;
+    const float missing = NAN;
+    const float a[][LAYER_VALUES] = {{5}, {3}, {7}, {missing}, {missing}};
+    const float b[][LAYER_VALUES] = {{5}, {5.5F}, {6}, {1}, {missing}};
+    uint8_t bgrx[4 * 5];
+    DifferenceMap map = difference_map_draw_values(LAYER_DISTANCE, a[0], b[0], 5, bgrx);
+    assert_true(map.max_difference == 2.5 && map.scale.high >= 2.5 && map.scale.high <= 5);
+    assert_int_equal((int)map.differing_pixels, 2);
+    assert_int_equal((int)map.unknown_pixels, 1);
+    assert_true(bgrx[0] == bgrx[1] && bgrx[1] == bgrx[2] && bgrx[0] > 240); // White.
+    assert_true(bgrx[4] > bgrx[6] + 40);                                    // Blue: less.
+    assert_true(bgrx[10] > bgrx[8] + 40);                                   // Red: more.
+    assert_true(bgrx[12] < 100 && bgrx[14] < 100);                          // Grey: only one.
+    assert_memory_equal(bgrx, bgrx + 16, 3);
+    LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
+    size_t count = difference_map_legend(&map, ticks);
+    assert_string_equal(ticks[0].number, "+5");
+    assert_true(ticks[0].position == 1 && ticks[count - 1].position < 0);
+    const float x[LAYER_VALUES] = {1, 0, 0}, y[LAYER_VALUES] = {0, -2, 0};
+    assert_at_most(fabs(layer_difference(LAYER_NORMALS, x, y) - 90), 1e-12, "angle");
+    assert_string_equal(layer_difference_unit(LAYER_NORMALS), "degrees");
+    // An error of double is seen beside one of float.
+    const float errors[2][LAYER_VALUES] = {{1e-5F}, {1e-14F}};
+    map = difference_map_draw_values(LAYER_ERROR, errors[0], errors[1], 1, bgrx);
+    assert_true(bgrx[2] > bgrx[0] + 40);
+    map = difference_map_draw_none(1, bgrx);
+    assert_int_equal((int)difference_map_legend(&map, ticks), 0);
+}
+
+/** Pictures in float and in double have errors of other colours, both on the scale. */
+static void test_error_scale(void **state) {
+    (void)state;
+    LayerScale scale = layer_scale(LAYER_ERROR, 0, 1);
+    assert_true(scale.low <= 1e-16 && scale.high == 255 && scale.is_log);
+    const float single[LAYER_VALUES] = {1e-5F}, twice[LAYER_VALUES] = {1e-13F};
+    uint8_t rgb[2][3];
+    layer_color(LAYER_ERROR, &scale, single, rgb[0]);
+    layer_color(LAYER_ERROR, &scale, twice, rgb[1]);
+    assert_true(lightness(rgb[0]) > lightness(rgb[1]) + 60);
+    // The difference of encoded values keeps its digits, however small it is.
+    double light = 0.4, step = 0x1p-50;
+    double exact = 255 * 1.055 / 2.4 * pow(light, 1 / 2.4 - 1) * step;
+    double found = encoding_difference(ENCODING_SRGB, light + step, light);
+    assert_at_most(fabs(found / exact - 1), 1e-9, "small difference");
+    assert_true(encoding_difference(ENCODING_SRGB, 0.7, 0.7) == 0);
+    for (double x = 0; x < 1; x += 0.0101) {
+        for (double y = 0; y < 1; y += 0.0103) {
+            double plain = encoding_encode(ENCODING_SRGB, x) - encoding_encode(ENCODING_SRGB, y);
+            assert_at_most(fabs(encoding_difference(ENCODING_SRGB, x, y) - plain), 1e-11, "%g", x);
+        }
+    }
+}
+
+/** Ticks lie on the bar where their number has its colour. */
+static void test_tick_positions(void **state) {
+    (void)state;
+    static const Layer bars[] = {LAYER_DISTANCE, LAYER_RAYS, LAYER_STEPS, LAYER_TIME, LAYER_ERROR};
+    for (size_t i = 0; i < sizeof bars / sizeof *bars; i++) {
+        LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
+        LayerScale scale = layer_scale(bars[i], 2, 17);
+        size_t count = layer_legend(bars[i], &scale, ticks), ticked = 0;
+        assert_at_most(fabs(ticks[0].position - 1), 1e-12, "upper end");
+        for (size_t k = 0; k < count; k++) {
+            uint8_t rgb[3];
+            if (ticks[k].position >= 0) {
+                palette_color(&palette_cividis, ticks[k].position, rgb);
+                assert_memory_equal(rgb, ticks[k].rgb, sizeof rgb);
+                ticked++;
+            }
+        }
+        assert_true(ticked >= 4);
+    }
+    // From 2 to 20, 3 has a tick: most pictures have pixels of three rays.
+    LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
+    LayerScale scale = layer_scale(LAYER_RAYS, 2, 17);
+    size_t count = layer_legend(LAYER_RAYS, &scale, ticks);
+    assert_string_equal(ticks[count - 2].number, "3");
+}
+
+/** What is read under the mouse is what the ray tree of the pixel has, which `dioptre probe`
+ *  prints. */
+static void test_readings(void **state) {
+    (void)state;
+    Scene *scene = load_scene(BOX);
+    RenderSettings settings = small_settings(scene, "f32x8", 2);
+    settings.samples = 1;
+    Renderer *renderer = create_renderer(scene, &settings);
+    static const Layer layers[] = {LAYER_NORMALS, LAYER_DISTANCE, LAYER_SHAPES, LAYER_RAYS};
+    RayTree tree = {0};
+    Error error = {0};
+    for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
+        draw_layer(renderer, scene, layers[i], (LayerImage){WIDTH, HEIGHT, NULL});
+        for (int y = 3; y < HEIGHT; y += 11) {
+            for (int x = 2; x < WIDTH; x += 13) {
+                PixelReading reading;
+                assert_true(renderer_read_pixel(renderer, x, y, &reading));
+                assert_true(renderer_record_ray_tree(renderer, x, y, &tree, &error));
+                const RayTreeNode *ray = &tree.nodes[0];
+                const float expected[][LAYER_VALUES] = {
+                    {(float)ray->normal.x, (float)ray->normal.y, (float)ray->normal.z},
+                    {(float)ray->distance},
+                    {(float)ray->shape},
+                    {(float)tree.count}};
+                assert_int_equal(reading.layer, layers[i]);
+                assert_int_equal(reading.shape, ray->shape);
+                assert_true(reading.distance == ray->distance);
+                assert_true(ray->shape < 0 || reading.values[0] == expected[i][0]);
+            }
+        }
+    }
+    ray_tree_deinit(&tree);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
+/** A pixel of acne alone has a mark of its own; an edge that is no artefact reads as none. Too many
+ *  have no marks. */
+static void test_marks(void **state) {
+    (void)state;
+    Scene *scene = load_scene(BOX);
+    RenderSettings settings = small_settings(scene, "f32x8", 2);
+    settings.samples = 1;
+    settings.trace.offset = OFFSET_FIXED;
+    bool is_few = false, is_many = false;
+    for (double epsilon = 1e-8; epsilon < 1e-4; epsilon *= 1.5) {
+        LayerMarks marks;
+        settings.trace.epsilon = epsilon;
+        Renderer *renderer = create_renderer(scene, &settings);
+        LayerStats stats =
+            draw_layer(renderer, scene, LAYER_ACNE, (LayerImage){WIDTH, HEIGHT, NULL}).layer;
+        renderer_copy_marks(renderer, &marks);
+        assert_true((stats.artifact_pixels + stats.leak_pixels > 0) ==
+                    (marks.count > 0 || marks.is_too_many));
+        assert_true(marks.count <= stats.artifact_pixels + stats.leak_pixels);
+        for (size_t i = 0; i < marks.count; i++) {
+            PixelReading reading;
+            assert_true(renderer_read_pixel(renderer, marks.x[i], marks.y[i], &reading));
+            assert_true(reading.values[1] > ARTIFACT_NONE);
+        }
+        int wrong = 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            PixelReading reading;
+            assert_true(renderer_read_pixel(renderer, i % WIDTH, i / WIDTH, &reading));
+            wrong += reading.values[1] > ARTIFACT_NONE;
+        }
+        assert_int_equal(wrong, (int)(stats.artifact_pixels + stats.leak_pixels));
+        is_few = is_few || marks.count > 0;
+        is_many = is_many || marks.is_too_many;
+        assert_string_equal(stats.reference, engine_with_role(ENGINE_DOUBLE)->name);
+        assert_true(stats.measured_fraction == 1);
+        renderer_destroy(renderer);
+    }
+    assert_true(is_few && is_many);
+    scene_destroy(scene);
 }
 
 int main(void) {
@@ -409,6 +572,9 @@ int main(void) {
         cmocka_unit_test(test_difference), cmocka_unit_test(test_sphere_aovs),
         cmocka_unit_test(test_rays),       cmocka_unit_test(test_uvs),
         cmocka_unit_test(test_lights),     cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_readings),   cmocka_unit_test(test_value_difference),
+        cmocka_unit_test(test_marks),      cmocka_unit_test(test_error_scale),
+        cmocka_unit_test(test_tick_positions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,15 +3,19 @@
  * @brief Tests of lessons without a screen: clock, names, texts. tests/lesson.sh contains the
  *        others.
  */
-#include "testing.h"
+#include "fixtures.h"
 
+#include "base/lesson_file.h"
 #include "dioptre/lesson.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
+#include "view/lesson/answer_file.h"
 #include "view/lesson/player.h"
+#include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 /** A log of movements. */
 typedef struct MovementLog {
@@ -145,6 +149,90 @@ static void test_full(void **state) {
     free(words);
 }
 
+/** A question asked again is found by its text; answers are counted; a full lesson is reported. */
+static void test_questions(void **state) {
+    (void)state;
+    Error error = {0};
+    Lesson *lesson = lesson_create(&error);
+    assert_non_null(lesson);
+    const LessonQuestion one = {.text = {"One?", "Un ?"}, .choice_count = 2, .right = 1};
+    const LessonQuestion two = {.text = {"One?", "Deux ?"}, .choice_count = 3, .right = 0};
+    assert_true(lesson_add_question(lesson, &one, 0, &error));
+    assert_true(lesson_add_question(lesson, &two, 5, &error));
+    assert_true(lesson_add_question(lesson, &one, 7, &error));
+    assert_int_equal(lesson_first_asked(lesson, 0), 0);
+    assert_int_equal(lesson_first_asked(lesson, 1), 1);
+    assert_int_equal(lesson_first_asked(lesson, 2), 0);
+    assert_true(lesson->steps[2].kind == LESSON_ASK && lesson->steps[2].action == 2);
+    assert_int_equal(lesson->steps[2].time, 7);
+    const LessonStep explain = {.kind = LESSON_EXPLAIN, .time = 7, .action = 2};
+    assert_true(lesson_add(lesson, &explain, &error));
+    assert_int_equal(lesson_panel_number(lesson, lesson->count), 3);
+    int asked;
+    const int answers[LESSON_QUESTIONS_MAXIMUM] = {2, 2, 0};
+    assert_int_equal(lesson_panel_score(lesson, answers, &asked), 1);
+    assert_int_equal(asked, 2);
+    while (lesson->question_count < LESSON_QUESTIONS_MAXIMUM) {
+        assert_true(lesson_add_question(lesson, &one, 7, &error));
+    }
+    assert_false(lesson_add_question(lesson, &one, 7, &error));
+    assert_string_equal(error.message, "a lesson may have at most 64 questions");
+    lesson_destroy(lesson);
+}
+
+/** A lesson is told from a scene by its text, comments and strings left out. */
+static void test_lesson_files(void **state) {
+    (void)state;
+    static const char *const lessons[] = {
+        "lesson { scene = 'a.lua' }", "-- a lesson\nlocal a = 'x'\nlesson\n{ scene = a }",
+        "--[[ long ]] lesson(t)", "local s = [==[ ]] ]==] lesson {"};
+    static const char *const scenes[] = {"",
+                                         "-- lesson { scene = 'a.lua' }",
+                                         "--[[ lesson { ]] sphere {}",
+                                         "print('lesson { }') sphere {}",
+                                         "local t = [[ lesson { ]] box {}",
+                                         "lessons { } my_lesson { } lesson = 3",
+                                         "'lesson {",
+                                         "--[["};
+    for (size_t i = 0; i < sizeof lessons / sizeof *lessons; i++) {
+        assert_true(lesson_file_is_text(lessons[i]));
+    }
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        assert_false(lesson_file_is_text(scenes[i]));
+    }
+    assert_true(lesson_file_is("scenes/lessons/01-shadows.lua"));
+    assert_false(lesson_file_is("scenes/lessons/mirror-and-ball.lua"));
+    assert_false(lesson_file_is("scenes/none.lua") || lesson_file_is("scenes"));
+    char next[PATH_MAX];
+    assert_true(lesson_file_next("scenes/lessons/01-shadows.lua", next));
+    assert_string_equal(next, "scenes/lessons/02-mirrors.lua");
+    assert_false(lesson_file_next("scenes/lessons/09-costs.lua", next));
+}
+
+/** Answers are lines of CSV below one head; a folder is no file. */
+static void test_answers(void **state) {
+    Error error = {0};
+    char line[256];
+    const char *path = fixture_path(state, "answers.csv");
+    const AnswerRecord record = {.lesson = "a \"b\", c", .question = 2, .answer = 3};
+    assert_true(answer_file_prepare(path, &error) && answer_file_prepare(path, &error));
+    assert_true(answer_file_append(path, &record, &error));
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_string_equal(line, "time,lesson,question,choice,right\n");
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_non_null(strchr(line, 'T'));
+    assert_string_equal(strchr(line, ','), ",\"a \"\"b\"\", c\",2,3,0\n");
+    assert_null(fgets(line, sizeof line, file));
+    fclose(file);
+    assert_false(answer_file_prepare("/", &error));
+    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /: "));
+    if (access("/dev/full", W_OK) == 0) {
+        assert_false(answer_file_append("/dev/full", &record, &error));
+    }
+}
+
 /** Recorded text is Lua. */
 static void test_text(void **state) {
     (void)state;
@@ -164,9 +252,15 @@ static void test_text(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_step_clock),   cmocka_unit_test(test_step_clock_next),
-        cmocka_unit_test(test_action_names), cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_words),        cmocka_unit_test(test_full),
-        cmocka_unit_test(test_text)};
+        cmocka_unit_test(test_step_clock),
+        cmocka_unit_test(test_step_clock_next),
+        cmocka_unit_test(test_action_names),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_full),
+        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_lesson_files),
+        cmocka_unit_test_setup_teardown(test_answers, fixture_set_up, fixture_tear_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

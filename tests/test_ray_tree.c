@@ -8,7 +8,7 @@
 #include "pictures.h"
 
 #include "render/orbit_camera.h"
-#include "view/panels/inspector.h"
+#include "view/panels/ray_view.h"
 
 #include <glob.h>
 
@@ -521,39 +521,79 @@ static void test_view(void **state) {
     }
 }
 
+/** Choosing rays: by steps, in flight, at a point of the picture; hidden kinds are passed over.
+ *  @param input Shows a pixel with shadow rays. */
+static void check_choosing(RayView *ray_view, const RayViewInput *input) {
+    Error error = {0};
+    size_t found = 0, shadow = 0;
+    ray_view_choose_ray(ray_view, 0);
+    ray_view_fly(ray_view, 10);
+    assert_int_equal(ray_view->selected, 1);
+    assert_true(ray_view_flight(ray_view, 10.1) > 0 && ray_view_flight(ray_view, 10.1) < 1);
+    assert_true(ray_view_timeout(ray_view, 10.1) < 0.1);
+    RayViewInput later = *input;
+    later.now = 11;
+    assert_true(ray_view_update(ray_view, &later, NULL, &error));
+    assert_true(ray_view_flight(ray_view, 11) == 1 && ray_view->flight_start == 0);
+    while (ray_view->ray_tree.nodes[shadow].kind != RAY_SHADOW) {
+        shadow++;
+    }
+    ray_view_toggle_kind(ray_view, RAY_SHADOW);
+    for (size_t i = 0; i < ray_view->ray_tree.count; i++) {
+        ray_view_select_ray(ray_view, 1);
+        assert_true(ray_view->ray_tree.nodes[ray_view->selected].kind != RAY_SHADOW);
+    }
+    SDL_Rect view = ray_view_layout(ray_view, &input->area).view;
+    RayDrawing drawing = ray_view_drawing(ray_view, &view);
+    ProjectedRay line;
+    assert_false(ray_drawing_project(&drawing, shadow, &line));
+    ray_view_toggle_kind(ray_view, RAY_SHADOW);
+    drawing = ray_view_drawing(ray_view, &view);
+    assert_true(ray_drawing_project(&drawing, shadow, &line));
+    assert_true(ray_view_ray_at(ray_view, view.x + line.x[0] + 0.9 * (line.x[1] - line.x[0]),
+                                view.y + line.y[0] + 0.9 * (line.y[1] - line.y[0]), &input->area,
+                                &found));
+    assert_int_equal(found, shadow);
+    assert_false(ray_view_ray_at(ray_view, view.x - 5.0, view.y, &input->area, &found));
+    ray_view_choose_ray(ray_view, SIZE_MAX);
+    assert_int_equal(ray_view->selected, ray_view->ray_tree.count - 1);
+    ray_view_choose_ray(ray_view, 0);
+}
+
 /** The window's numbers equal those of the pixel, and follow the light. */
-static void test_inspector(void **state) {
+static void test_ray_view(void **state) {
     (void)state;
     Error error = {0};
-    Inspector inspector = {0};
+    RayView ray_view = {0};
     Scene *scene = load_scene("scenes/box.lua");
     RenderSettings settings = small_settings(scene, "auto", 1);
     Renderer *renderer = create_renderer(scene, &settings);
     Viewport viewport = {
         .renderer = renderer, .settings = settings, .width = WIDTH, .height = HEIGHT};
-    const InspectorInput input = {&viewport, scene, 0, 0, {0, 0, WIDTH, HEIGHT}};
-    assert_true(inspector_update(&inspector, &input, NULL, &error));
-    assert_false(inspector.needs_present);
-    inspector_pick(&inspector, 63.5 / WIDTH, 112.5 / HEIGHT);
-    assert_true(inspector_update(&inspector, &input, NULL, &error));
-    assert_true(inspector.needs_present && inspector.ray_tree.count >= 4);
-    assert_non_null(strstr(inspector.row_texts[0], "63 112"));
-    inspector_step_pixel(&inspector, -1, 2);
-    assert_true(inspector_update(&inspector, &input, NULL, &error));
-    assert_non_null(strstr(inspector.row_texts[0], "62 114"));
-    inspector_select_ray(&inspector, -1);
-    assert_int_equal(inspector.selected, inspector.ray_tree.count - 1);
-    inspector_select_ray(&inspector, 1);
-    assert_int_equal(inspector.selected, 0);
-    Rgbd before = inspector.ray_tree.nodes[0].color;
+    const RayViewInput input = {&viewport, scene, 0, 0, {0, 0, WIDTH, HEIGHT}};
+    assert_true(ray_view_update(&ray_view, &input, NULL, &error));
+    assert_false(ray_view.needs_present);
+    ray_view_pick(&ray_view, 63.5 / WIDTH, 112.5 / HEIGHT);
+    assert_true(ray_view_update(&ray_view, &input, NULL, &error));
+    assert_true(ray_view.needs_present && ray_view.ray_tree.count >= 4);
+    assert_non_null(strstr(ray_view.heading, "63 112"));
+    ray_view_step_pixel(&ray_view, -1, 2);
+    assert_true(ray_view_update(&ray_view, &input, NULL, &error));
+    assert_non_null(strstr(ray_view.heading, "62 114"));
+    ray_view_select_ray(&ray_view, -1);
+    assert_int_equal(ray_view.selected, ray_view.ray_tree.count - 1);
+    ray_view_select_ray(&ray_view, 1);
+    assert_int_equal(ray_view.selected, 0);
+    check_choosing(&ray_view, &input);
+    Rgbd before = ray_view.ray_tree.nodes[0].color;
     scene->lights[0].position.x += 1;
     assert_true(renderer_start(renderer, scene, WIDTH, HEIGHT, NULL, NULL, &error));
-    inspector_invalidate(&inspector);
-    assert_true(inspector_update(&inspector, &input, NULL, &error));
-    assert_true(largest_channel(inspector.ray_tree.nodes[0].color) != largest_channel(before));
-    inspector_toggle(&inspector);
-    assert_false(inspector.is_open);
-    inspector_deinit(&inspector);
+    ray_view_invalidate(&ray_view);
+    assert_true(ray_view_update(&ray_view, &input, NULL, &error));
+    assert_true(largest_channel(ray_view.ray_tree.nodes[0].color) != largest_channel(before));
+    ray_view_toggle(&ray_view);
+    assert_false(ray_view.is_open);
+    ray_view_deinit(&ray_view);
     renderer_destroy(renderer);
     scene_destroy(scene);
 }
@@ -563,7 +603,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_closed_forms),  cmocka_unit_test(test_far_away),
         cmocka_unit_test(test_visible_light), cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_view),          cmocka_unit_test(test_inspector),
+        cmocka_unit_test(test_view),          cmocka_unit_test(test_ray_view),
         cmocka_unit_test(test_sums),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -342,6 +342,9 @@ static void test_lua_errors(void **state) {
         {"tostring(setmetatable({}, { __tostring = function() return {} end }))", 1,
          "'__tostring' must return a string"},
         {"\nsetmetatable({}, { __gc = function() error('late') end })", 2, "may not use __gc"},
+        {"local m = {}\nlocal t = setmetatable({}, m)\nm.__mode = 'k'", 1, "may not use __mode"},
+        {"do local m = {} setmetatable({}, m) rawset(m, '__mode', 'v') end", 1,
+         "may not use __mode"},
         {"local t = setmetatable({}, { __close = function()\n  error('closing')\nend })\ndo local "
          "x <close> = t end",
          2, "closing"},

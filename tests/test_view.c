@@ -763,8 +763,8 @@ typedef struct LoadRequests {
 
 /** Loads a scene. See #ViewLoader. @return A scene; NULL for `wrong.lua`. */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Error *error) {
-    (void)stop;
+                             RenderSettings *render, Lesson **lesson, Error *error) {
+    (void)stop, (void)lesson;
     LoadRequests *requests = context;
     snprintf(requests->path, sizeof requests->path, "%s", request->path ? request->path : "");
     requests->count++;

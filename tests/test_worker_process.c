@@ -23,6 +23,7 @@
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/un.h>
 #include <sys/wait.h>
@@ -95,12 +96,16 @@ typedef enum {
     TRY_MEMORY,      /**< A GiB of memory. */
     TRY_SHARED,      /**< 16 GiB of shared memory, which the limit of data does not count. */
     TRY_PRIVILEGES,  /**< Its own core files again. */
+    TRY_STAT,        /**< The size and times of a file, by its name. */
     TRY_ERROR_COUNT, /**< The first that is allowed. */
-    TRY_READ,        /**< The file that was sent along. */
+    TRY_READ,        /**< The file that was sent along, and its size. */
     TRY_THREAD,      /**< A thread. */
-    TRY_CLOCK        /**< The time, and to sleep. */
+    TRY_CLOCK,       /**< The time, and to sleep. */
+    TRY_COUNT        /**< Number of attempts, with those that only separate them. */
 } Attempt;
 
+/** The only byte of the file that is sent along. */
+enum { SENT_BYTE = '#' };
 /** Bytes of memory that the sandbox of the attempts allows. */
 enum { ATTEMPT_MEMORY = 64 << 20 };
 
@@ -147,6 +152,7 @@ static bool try_deadly(Attempt attempt) {
 /** Tries what is refused or allowed. @return Whether it worked; if not, errno. */
 static bool try_harmless(const WorkerJob *job, Attempt attempt) {
     pthread_t thread;
+    struct stat info;
     char byte;
     switch (attempt) {
     case TRY_OPEN:
@@ -169,8 +175,11 @@ static bool try_harmless(const WorkerJob *job, Attempt attempt) {
                     MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
     case TRY_PRIVILEGES:
         return prctl(PR_SET_DUMPABLE, 1) == 0;
+    case TRY_STAT:
+        return syscall(SYS_newfstatat, AT_FDCWD, "/etc/passwd", &info, AT_EMPTY_PATH) == 0;
     case TRY_READ:
-        return pread(job->file, &byte, 1, 0) == 1 && byte == '#';
+        return pread(job->file, &byte, 1, 0) == 1 && byte == SENT_BYTE &&
+               lseek(job->file, 0, SEEK_END) == 1;
     case TRY_THREAD:
         return pthread_create(&thread, NULL, run_nothing, NULL) == 0 &&
                pthread_join(thread, NULL) == 0;
@@ -225,6 +234,17 @@ static void flood_task(WorkerJob *job) {
     }
 }
 
+/** Asks questions without end, and reads no answer. */
+static void deaf_task(WorkerJob *job) {
+    const WorkerFrame frame = {.kind = WORKER_FRAME_QUESTION, .report_size = 1};
+    (void)job;
+    worker_job_ready();
+    for (;;) {
+        send(WORKER_SOCKET, &frame, sizeof frame, 0);
+        send(WORKER_SOCKET, "q", 1, 0);
+    }
+}
+
 /** Asks a question of some size, and reports the first byte of the answer. */
 static void ask_task(WorkerJob *job) {
     static int report;
@@ -257,6 +277,7 @@ static const WorkerTask tasks[] = {{"abort", abort_task},
                                    {"sandboxed spin", sandboxed_spin_task},
                                    {"flood", flood_task},
                                    {"ask", ask_task},
+                                   {"deaf", deaf_task},
                                    {"early", early_task},
                                    {"limits", limits_task},
                                    {0}};
@@ -428,10 +449,10 @@ static void require_filter(void) {
 static WorkerReply attempt(Attempt what, int *report) {
     *report = -2;
     WorkerCall call = call_of("try", &what, sizeof what, 10, report);
-    call.file = open("tests/test_worker_process.c", O_RDONLY | O_CLOEXEC);
-    if (call.file < 0) {
-        call.file = open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
-    }
+    const char byte = SENT_BYTE;
+    call.file = memfd_create("sent", MFD_CLOEXEC);
+    assert_true(call.file >= 0);
+    assert_int_equal(write(call.file, &byte, 1), 1);
     WorkerReply reply = worker_process_call_once(&call);
     close(call.file);
     return reply;
@@ -441,10 +462,10 @@ static WorkerReply attempt(Attempt what, int *report) {
 static void test_sandbox(void **state) {
     (void)state;
     int report;
-    assert_int_equal(attempt(TRY_THREAD, &report).end, WORKER_FINISHED);
-    assert_int_equal(report, 0);
-    assert_int_equal(attempt(TRY_CLOCK, &report).end, WORKER_FINISHED);
-    assert_int_equal(report, 0);
+    for (Attempt what = TRY_ERROR_COUNT + 1; what < TRY_COUNT; what++) {
+        assert_int_equal(attempt(what, &report).end, WORKER_FINISHED);
+        assert_int_equal(report, 0);
+    }
     require_filter();
     for (Attempt what = 0; what < TRY_KILL_COUNT; what++) {
         WorkerReply reply = attempt(what, &report);
@@ -530,6 +551,25 @@ static void test_questions(void **state) {
     assert_int_equal(next_descriptor(), first);
 }
 
+/** Answers nothing. See #WorkerCall.answer. */
+static bool answer_nothing(void *context, const void *question, size_t size,
+                           WorkerResponse *response) {
+    (void)context, (void)question, (void)size, (void)response;
+    return true;
+}
+
+/** A worker that asks and does not read the answers is ended, and holds up nobody. */
+static void test_deaf_worker(void **state) {
+    (void)state;
+    int report;
+    WorkerCall call = call_of("deaf", NULL, 0, 60, &report);
+    call.wall_limit = 0.3;
+    call.answer = answer_nothing;
+    WorkerReply reply = worker_process_call_once(&call);
+    assert_int_equal(reply.end, WORKER_TIMED_OUT);
+    assert_true(reply.is_stalled);
+}
+
 /** A worker that dies before it is ready is told from one that a file brings down. */
 static void test_early_end(void **state) {
     (void)state;
@@ -587,6 +627,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
         cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
         cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
+        cmocka_unit_test(test_deaf_worker),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);

@@ -107,6 +107,8 @@ typedef struct RayTreeNode {
     Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
     Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
     Rgbd transmittance; /**< Of shadow rays: fraction of the light that transparent shapes leave. */
+    double cosine;      /**< Of shadow rays: n . l, the cosine at the surface. */
+    double falloff;     /**< Of shadow rays: the factor f of the light's intensity there. */
     Rgbd local_color;   /**< Radiance without secondary rays: of the sky, a light or a surface. */
     Rgbd color;         /**< Radiance: #local_color plus the weighted colours of secondary
                              rays. */

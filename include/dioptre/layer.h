@@ -2,8 +2,8 @@
  * @file
  * @brief Layers: debug views of the rays, besides the shaded picture.
  *
- * Colours are safe for colour-blind people: magnitudes go from dark to light (cividis and viridis),
- * shapes have the colours of Okabe and Ito, and a legend gives the number of every colour.
+ * Colours are safe for colour-blind people: magnitudes go from dark to light (cividis), shapes
+ * have the colours of Okabe and Ito, and a legend gives the number of every colour.
  */
 #ifndef DIOPTRE_LAYER_H
 #define DIOPTRE_LAYER_H
@@ -56,15 +56,35 @@ typedef struct LayerStats {
     uint64_t artifact_pixels; /**< Of these, in #LAYER_ACNE: with acne; in #LAYER_ERROR and
                                  #LAYER_ROUNDING: with a number of more than a step. */
     uint64_t leak_pixels;     /**< In #LAYER_ACNE: with a leak. */
+    double measured_fraction; /**< Fraction of the picture's pixels that are measured, 0 to 1. */
+    const char *reference;    /**< Name of the engine that it is compared with; NULL: none. */
 } LayerStats;
 
-/** A row of a legend. */
+/** Largest number of marks. */
+enum { LAYER_MARKS_MAXIMUM = 64 };
+/** Most pixels with an artefact that are marked: more are seen without. */
+enum { LAYER_MARKED_PIXELS = 4 * LAYER_MARKS_MAXIMUM };
+/** Artefacts nearer than this to a mark share it, pixels. */
+enum { LAYER_MARK_REACH = 12 };
+
+/** Where the artefacts of a picture are, if there are few. */
+typedef struct LayerMarks {
+    int x[LAYER_MARKS_MAXIMUM]; /**< Columns of pixels with an artefact. */
+    int y[LAYER_MARKS_MAXIMUM]; /**< Their rows. */
+    size_t count;               /**< Number of marks; 0: no artefact, or too many. */
+    bool is_too_many;           /**< Whether there are too many for marks. */
+} LayerMarks;
+
+/** A row of a legend: a tick of a bar of colours, or a colour by itself. */
 typedef struct LegendEntry {
     uint8_t rgb[3];    /**< The colour. */
+    double position;   /**< Position on the bar, 0 to 1; #LEGEND_APART: it is not on the bar. */
     char number[24];   /**< Its number; empty: none. */
     const char *label; /**< Its meaning, in English; NULL: the number. */
 } LegendEntry;
 
+/** Position of a colour that is not on the bar. */
+#define LEGEND_APART (-1.0)
 /** Largest number of rows of a legend. */
 enum { LEGEND_ENTRIES_MAXIMUM = 10 };
 
@@ -100,6 +120,14 @@ LayerScale layer_scale(Layer layer, double low, double high);
 void layer_color(Layer layer, const LayerScale *scale, const float values[LAYER_VALUES],
                  uint8_t rgb[3]);
 
+/**
+ * Finds the block of pixels whose time #LAYER_TIME takes together.
+ * @param engine  The engine.
+ * @param[out] columns  Pixels to the right.
+ * @param[out] rows     Pixels down.
+ */
+void layer_timing_block(const Engine *engine, int *columns, int *rows);
+
 /** Bytes of #layer_value_text with the final zero. */
 enum { LAYER_TEXT_SIZE = 96 };
 
@@ -110,6 +138,25 @@ enum { LAYER_TEXT_SIZE = 96 };
  * @param[out] text  Such as `3.42 scene units`.
  */
 void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[LAYER_TEXT_SIZE]);
+
+/**
+ * Finds how far the numbers of two pixels are apart.
+ * @param layer  The layer; not #LAYER_SHADED.
+ * @return The first minus the second: of normals the angle between them, degrees; of (u, v) the
+ *         component that differs most; of shapes 1 where they differ; of artefacts 1 where only the
+ *         first has one, -1 where only the second has. NaN: one or both have no number.
+ */
+double layer_difference(Layer layer, const float a[LAYER_VALUES], const float b[LAYER_VALUES]);
+
+/** @return The unit of #layer_difference, in English; empty: none. */
+const char *layer_difference_unit(Layer layer);
+
+/** @return Whether pixels without a number are as true as others: their rays meet nothing. */
+bool layer_has_missing(Layer layer);
+
+/** @return A scale for differences from -\p high to \p high: linear below LayerScale.low, then
+ *  logarithmic. @param largest Largest difference of the picture, without sign. */
+LayerScale layer_difference_scale(Layer layer, double largest);
 
 /**
  * Writes a layer's legend.

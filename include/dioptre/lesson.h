@@ -18,6 +18,16 @@
 enum { LESSON_STEPS_MAXIMUM = 65536 };
 /** Largest size of all texts of a lesson, bytes. */
 enum { LESSON_TEXT_MAXIMUM = 1 << 20 };
+/** Largest number of questions of a lesson. */
+enum { LESSON_QUESTIONS_MAXIMUM = 64 };
+/** Number of choices of a question: one key each, 1 to 9. */
+enum { LESSON_CHOICES_MINIMUM = 2, LESSON_CHOICES_MAXIMUM = 9 };
+/** Largest number of sentences about what a lesson teaches: they fit on the end card. */
+enum { LESSON_LEARNT_MAXIMUM = 6 };
+/** Largest number of lights that #LESSON_DRAG can name. */
+enum { LESSON_LIGHTS_MAXIMUM = 1000000 };
+/** Largest number of rays that #LESSON_RAY can name. */
+enum { LESSON_RAYS_MAXIMUM = 1000000 };
 /** Largest wait, seconds. */
 #define LESSON_WAIT_MAXIMUM 3600.0
 
@@ -37,18 +47,31 @@ typedef enum {
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
     LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
+    LESSON_RAY,     /**< One of these rays is chosen: a click on it. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_DRAG,    /**< A light is dragged in the picture. */
     LESSON_CAPTION, /**< A caption is shown. */
+    LESSON_ASK,     /**< A question is shown: the lesson waits for a prediction. */
+    LESSON_EXPLAIN, /**< What was asked has been seen: the answer is shown. */
     LESSON_SNAPSHOT /**< The finished picture is saved, if the lesson plays unattended. */
 } LessonStepKind;
+
+/** A question about what will be seen next: predict, observe, explain. */
+typedef struct LessonQuestion {
+    LessonText text;                            /**< The question. */
+    int choice_count;                           /**< Number of #choices. */
+    LessonText choices[LESSON_CHOICES_MAXIMUM]; /**< The answers to choose from. */
+    int right;                                  /**< Index of the right one. */
+    LessonText because;                         /**< Why it is right. */
+} LessonQuestion;
 
 /** One step. */
 typedef struct LessonStep {
     LessonStepKind kind; /**< Its kind. */
     int64_t time;        /**< Its time, milliseconds from the beginning. */
     int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
-                   the lesson was read with. Index of the light of #LESSON_DRAG. */
+                   the lesson was read with. Index of the light of #LESSON_DRAG, of the ray of
+                   #LESSON_RAY, of the question of #LESSON_ASK and #LESSON_EXPLAIN. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
                  fraction of the picture's width; pixels to the right; scene units along x. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
@@ -72,13 +95,17 @@ typedef struct LessonSettings {
 
 /** A lesson. */
 typedef struct Lesson {
-    char scene[PATH_MAX];                   /**< File of its scene; empty: not read yet. */
-    LessonText title;                       /**< Its title. */
-    LessonSettings initial_settings;        /**< Render settings at the beginning. */
-    size_t count;                           /**< Number of steps. */
-    LessonStep steps[LESSON_STEPS_MAXIMUM]; /**< The steps, in the order of time. */
-    size_t text_used;                       /**< Number of used bytes of #text. */
-    char text[LESSON_TEXT_MAXIMUM];         /**< All texts. */
+    char scene[PATH_MAX];                     /**< File of its scene; empty: not read yet. */
+    LessonText title;                         /**< Its title. */
+    size_t learnt_count;                      /**< Number of #learnt. */
+    LessonText learnt[LESSON_LEARNT_MAXIMUM]; /**< What it teaches, a sentence each. */
+    size_t question_count;                    /**< Number of #questions. */
+    LessonQuestion questions[LESSON_QUESTIONS_MAXIMUM]; /**< Its questions, as they are asked. */
+    LessonSettings initial_settings;                    /**< Render settings at the beginning. */
+    size_t count;                                       /**< Number of steps. */
+    LessonStep steps[LESSON_STEPS_MAXIMUM];             /**< The steps, in the order of time. */
+    size_t text_used;                                   /**< Number of used bytes of #text. */
+    char text[LESSON_TEXT_MAXIMUM];                     /**< All texts. */
 } Lesson;
 
 /**
@@ -132,6 +159,21 @@ bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error);
  * @return The copy, owned by the lesson; NULL if the lesson is full.
  */
 const char *lesson_store_text(Lesson *lesson, const char *text, Error *error);
+
+/**
+ * Adds a question, and the step that asks it.
+ * @param lesson      The lesson.
+ * @param question    The question; copied.
+ * @param time        Time of the step, milliseconds; not before the last one.
+ * @param[out] error  What is wrong.
+ * @return false if the lesson is full.
+ */
+bool lesson_add_question(Lesson *lesson, const LessonQuestion *question, int64_t time,
+                         Error *error);
+
+/** @return Index of the first question with the same text: itself, or one asked before.
+ *  @param question Index of a question. */
+size_t lesson_first_asked(const Lesson *lesson, size_t question);
 
 /** @return A text in one language, else in the other; empty without any. */
 const char *lesson_text_localized(const LessonText *text, bool is_french);

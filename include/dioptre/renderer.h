@@ -192,12 +192,14 @@ bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx,
 /** What one pixel of a picture shows. */
 typedef struct PixelReading {
     uint8_t rgb[3];             /**< Its colour. */
-    bool has_values;            /**< Whether #values are known. */
-    float values[LAYER_VALUES]; /**< The numbers of a layer, see #layer_values. */
+    Layer layer;                /**< The layer. */
+    float values[LAYER_VALUES]; /**< Its numbers, see #layer_values; zero in #LAYER_SHADED. */
+    int shape;                  /**< Index of the shape at the middle of the pixel; -1: none. */
+    double distance;            /**< Distance to it, scene units; infinity: none. */
 } PixelReading;
 
 /**
- * Reads a pixel of the newest pass. The numbers of a layer are known once the picture is finished.
+ * Reads a pixel of the newest pass.
  * @param renderer      The renderer.
  * @param x             The pixel's column, from the left.
  * @param y             Its row, from the top.
@@ -205,6 +207,18 @@ typedef struct PixelReading {
  * @return false if no pass has finished, or the pixel is outside.
  */
 bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading);
+
+/**
+ * Copies the numbers of the newest pass of a layer.
+ * @param renderer     The renderer.
+ * @param[out] stats   The state of the picture.
+ * @param[out] values  #LAYER_VALUES numbers of each pixel, row by row.
+ * @return false if no pass has finished, or it shows no layer: nothing is written then.
+ */
+bool renderer_copy_values(Renderer *renderer, RenderStats *stats, float *values);
+
+/** Copies the marks of the newest pass of a layer; none if it has none. */
+void renderer_copy_marks(Renderer *renderer, LayerMarks *marks);
 
 /**
  * Records the ray tree of a pixel's first sample, through its centre. A picture of one sample shows

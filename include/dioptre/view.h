@@ -10,28 +10,30 @@
 
 /** A request of the window for a scene. */
 typedef struct ViewRequest {
-    const char *path;  /**< Its file; NULL: that of the scene that was loaded last. */
+    const char *path;  /**< Its file, or that of a lesson; NULL: the scene that was loaded last. */
     double time;       /**< Its `t`, seconds. */
     bool force_reload; /**< Whether its files may have changed since they were read. */
 } ViewRequest;
 
 /**
- * Loads a scene. Called from a thread of the window, never twice at once.
+ * Loads a scene, or a lesson with its scene. Called from a thread of the window, never twice at
+ * once.
  * @param context      #ViewSettings.loader_context.
  * @param request      The scene. After an error the previous scene stays the last loaded.
  * @param stop         Loading stops once this is true.
  * @param[out] render  Its render settings.
+ * @param[out] lesson  The lesson, owned by the window; NULL: the file is a scene, or an error.
  * @param[out] error   What is wrong.
  * @return The scene, owned by the window; NULL after an error.
  */
 typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Error *error);
+                             RenderSettings *render, Lesson **lesson, Error *error);
 
 /**
- * Loads a scene for the list of scenes. Called from a thread of the window, perhaps during a
- * #ViewLoader.
+ * Loads a scene for the list of scenes, or the scene of a lesson. Called from a thread of the
+ * window, perhaps during a #ViewLoader.
  * @param context      #ViewSettings.loader_context.
- * @param path         Its file.
+ * @param path         Its file, or that of the lesson.
  * @param stop         Loading stops once this is true.
  * @param[out] render  Its render settings.
  * @param[out] error   What is wrong.
@@ -39,6 +41,15 @@ typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const at
  */
 typedef Scene *(*ViewPreviewLoader)(void *context, const char *path, const atomic_bool *stop,
                                     RenderSettings *render, Error *error);
+
+/**
+ * Loads a lesson for the list of scenes, without its scene. Called from a thread of the window.
+ * @param path        The file; see #lesson_file_is.
+ * @param[out] error  What is wrong.
+ * @return The lesson with #Lesson.title and #Lesson.scene, to be freed with #lesson_destroy; NULL
+ *         after an error.
+ */
+typedef Lesson *(*ViewLessonLoader)(const char *path, Error *error);
 
 /** Settings of a window. */
 typedef struct ViewSettings {
@@ -52,12 +63,16 @@ typedef struct ViewSettings {
     ViewLoader load;           /**< Loads other scenes and times; NULL: there are none. */
     ViewPreviewLoader preview; /**< Loads scenes for the list of scenes; NULL: there is no list. */
     void *loader_context;      /**< First argument of #load and #preview. */
-    const Lesson *lesson;      /**< A lesson to play; NULL: none. */
-    const char *lesson_name;   /**< Name of the lesson, for its snapshots. */
+    ViewLessonLoader load_lesson;    /**< Loads lessons for the list of scenes; NULL: none. */
+    const Lesson *lesson;            /**< A lesson to play; NULL: none. */
+    const char *lesson_path;         /**< Its file. */
     const char *lesson_snapshot_dir; /**< Folder for the pictures of the lesson's captions: it plays
                                         unattended, and the window closes at its end. NULL: it is
                                         for viewers. */
-    bool prints_timing;              /**< Whether latencies are printed when the window closes. */
+    const char *predictions; /**< Choices of an unattended lesson's questions, a digit each; the
+                                  questions after them are answered right. NULL: all are. */
+    const char *answer_path; /**< File to which answers are appended; NULL: they are not kept. */
+    bool prints_timing;      /**< Whether latencies are printed when the window closes. */
 } ViewSettings;
 
 /** Largest number of names of #view_actions, with the final NULL. */

@@ -1,4 +1,4 @@
--- The scene of the lesson `mirrors-and-glass.lua`: a mirror on the wall, a ball of glass, and things to
+-- The scene of the lesson `02-mirrors.lua`: a mirror on the wall, a ball of glass, and things to
 -- see in both.
 
 camera { position = {0, 1.5, 6}, look_at = {0, 1, 0}, fov = 46 }

@@ -28,6 +28,21 @@ double encoding_encode(Encoding encoding, double linear) {
     return ENCODING_CODE_MAXIMUM * ((1 + SRGB_OFFSET) * pow(linear, 1 / SRGB_GAMMA) - SRGB_OFFSET);
 }
 
+double encoding_difference(Encoding encoding, double a, double b) {
+    /** Relative difference below which the subtraction of two encoded values would lose digits. */
+    const double near = 1e-3;
+    double difference = a - b;
+    if (encoding == ENCODING_LINEAR || fmax(a, b) <= SRGB_LINEAR_END) {
+        double slope = encoding == ENCODING_LINEAR ? 1 : SRGB_SLOPE;
+        return ENCODING_CODE_MAXIMUM * slope * difference;
+    }
+    if (fmin(a, b) > SRGB_LINEAR_END && fabs(difference) < near * b) {
+        double power = (1 + SRGB_OFFSET) * pow(b, 1 / SRGB_GAMMA);
+        return ENCODING_CODE_MAXIMUM * power * expm1(log1p(difference / b) / SRGB_GAMMA);
+    }
+    return encoding_encode(encoding, a) - encoding_encode(encoding, b);
+}
+
 double encoding_decode(Encoding encoding, double code) {
     double encoded = code / ENCODING_CODE_MAXIMUM;
     if (encoding == ENCODING_LINEAR) {

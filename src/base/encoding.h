@@ -23,6 +23,15 @@ enum { ENCODING_CODE_MAXIMUM = 255 };
 double encoding_encode(Encoding encoding, double linear);
 
 /**
+ * @return The encoded value of \p a minus that of \p b. Values that lie close together lose no
+ *         digits.
+ * @param encoding  The curve.
+ * @param a         Linear light, 0 to 1.
+ * @param b         The same.
+ */
+double encoding_difference(Encoding encoding, double a, double b);
+
+/**
  * @return The linear light of a code.
  * @param encoding  The curve.
  * @param code      0 to #ENCODING_CODE_MAXIMUM, also with a fraction.

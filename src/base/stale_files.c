@@ -25,10 +25,13 @@
  */
 enum { NAME_BYTES_KEPT = 200 };
 
+/** Mark of the program in the names of temporary files: a file of the user's is never removed. */
+#define PROGRAM_MARK ".dioptre-"
+
 bool temporary_path(const char *target, pid_t process, int attempt, char path[PATH_MAX]) {
     int dir_length = output_path_dir_length(target);
-    int length = snprintf(path, PATH_MAX, "%.*s%.*s.%ld-%d", dir_length, target, NAME_BYTES_KEPT,
-                          target + dir_length, (long)process, attempt);
+    int length = snprintf(path, PATH_MAX, "%.*s%.*s" PROGRAM_MARK "%ld-%d", dir_length, target,
+                          NAME_BYTES_KEPT, target + dir_length, (long)process, attempt);
     return length < PATH_MAX;
 }
 
@@ -59,7 +62,7 @@ static bool is_local(int folder) {
 /**
  * Finds the process of a temporary file by its name.
  * @param name    The name of a file.
- * @param prefix  What the names of the target's temporary files begin with, such as `NAME.`.
+ * @param prefix  What the names of the target's temporary files begin with.
  * @return The process; 0: it is no temporary file of the target.
  */
 static pid_t process_of(const char *name, const char *prefix) {
@@ -95,10 +98,10 @@ static void remove_unless_locked(int folder, const char *name) {
 }
 
 void stale_files_remove(const char *target) {
-    char path[PATH_MAX], prefix[NAME_BYTES_KEPT + sizeof "."];
+    char path[PATH_MAX], prefix[NAME_BYTES_KEPT + sizeof PROGRAM_MARK];
     int dir_length = output_path_dir_length(target);
     snprintf(path, PATH_MAX, "%.*s.", dir_length, target);
-    snprintf(prefix, sizeof prefix, "%.*s.", NAME_BYTES_KEPT, target + dir_length);
+    snprintf(prefix, sizeof prefix, "%.*s" PROGRAM_MARK, NAME_BYTES_KEPT, target + dir_length);
     DIR *folder = opendir(path);
     if (!folder) {
         return;

@@ -2,7 +2,8 @@
  * @file
  * @brief Names of temporary files, and removal of those that killed processes have left.
  *
- * The temporary file of `NAME` is `NAME.PID-N`: in the same folder, with the process and a digit.
+ * The temporary file of `NAME` is `NAME.dioptre-PID-N`: in the same folder, with the mark of the
+ * program, the process and a digit.
  */
 #ifndef DIOPTRE_BASE_STALE_FILES_H
 #define DIOPTRE_BASE_STALE_FILES_H

@@ -44,6 +44,15 @@ static bool parse_name(const OptionSpec *option, const char *text, Options *opti
            error_set(error, STATUS_USAGE, "--%s takes a name, not '%s'", option->name, text);
 }
 
+/** Takes digits from 1 to 9. See #OptionSpec.parse. */
+static bool parse_digits(const OptionSpec *option, const char *text, Options *options,
+                         Error *error) {
+    *(const char **)((char *)options + option->offset) = text;
+    return (*text && !text[strspn(text, "123456789")]) ||
+           error_set(error, STATUS_USAGE, "--%s takes digits from 1 to 9, not '%s'", option->name,
+                     text);
+}
+
 /** Sets a flag. See #OptionSpec.parse. */
 static bool parse_flag(const OptionSpec *option, const char *text, Options *options, Error *error) {
     (void)text, (void)error;
@@ -241,6 +250,10 @@ static const OptionSpec option_specs[] = {
      .help = N_("play that lesson; its scene is the one that it names")},
     {"lesson-snapshots", 0, N_("DIR"), STORES(name, lesson_snapshots), .commands = COMMAND_VIEW,
      .help = N_("play it without waiting, and write a picture at each caption there")},
+    {"predictions", 0, N_("DIGITS"), STORES(digits, predictions), .commands = COMMAND_VIEW,
+     .help = N_("played so, choose these answers, a digit each (default: right ones)")},
+    {"answers", 0, N_("FILE"), STORES(name, answers), .commands = COMMAND_VIEW,
+     .help = N_("append the answers to a lesson's questions there, as CSV")},
     {"timing", 0, NULL, STORES(flag, timing), .commands = COMMAND_VIEW,
      .help = N_("say at the end how long pictures took to come")},
     {"kernels", 0, NULL, STORES(flag, kernels), .commands = COMMAND_CHART,

@@ -57,6 +57,8 @@ typedef struct Options {
     const char *map;                          /**< `--map`: difference picture to write. */
     const char *lesson;                       /**< `--lesson`: lesson to play. */
     const char *lesson_snapshots;             /**< `--lesson-snapshots`: folder to write into. */
+    const char *predictions;                  /**< `--predictions`: digits; NULL: right ones. */
+    const char *answers;                      /**< `--answers`: file to append to. */
     const Engine *engine;                     /**< `--engine`; NULL: automatic. */
     int width;                                /**< `--size` */
     int height;                               /**< `--size` */

@@ -5,7 +5,7 @@
 #include "dioptre/view.h"
 #include "base/clock.h"
 #include "base/language.h"
-#include "base/scene_name.h"
+#include "base/lesson_file.h"
 #include "cli/commands.h"
 
 #include <limits.h>
@@ -15,9 +15,10 @@
 
 /** The source of scenes for the window. */
 typedef struct SceneSource {
-    Options options;     /**< The command line, with the newest scene. */
-    char path[PATH_MAX]; /**< File of that scene, if it is not that of the command line. */
-    AssetCache *cache;   /**< Its assets; NULL before the first scene; owned. */
+    const Options *command_line; /**< The command line. */
+    Options options;             /**< The same, with the newest scene and its lesson's settings. */
+    char path[PATH_MAX];         /**< File of that scene, if it is not that of the command line. */
+    AssetCache *cache;           /**< Its assets; NULL before the first scene; owned. */
 } SceneSource;
 
 /** Stores the source of a scene that was loaded. */
@@ -33,100 +34,20 @@ static void store_loaded(SceneSource *source, const Options *options, AssetCache
     }
 }
 
-/**
- * Loads a scene. See #ViewLoader.
- * @param stop  Loading ends early once this is true.
- * @param[out] render  Its settings.
- * @return The scene, or NULL.
- */
-static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
-                         RenderSettings *render, Error *error) {
-    SceneSource *source = context;
-    Options options = source->options;
-    bool needs_new_cache = request->path || request->force_reload || !source->cache;
-    if (request->path) {
-        options.arguments[0] = request->path;
-        options.base_dir = NULL;
-    }
-    AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
-    Scene *scene =
-        cache ? command_load_scene_at(&options, request->time, cache, stop, error) : NULL;
-    if (scene && needs_new_cache) {
-        command_print_notes(scene);
-    }
-    if (scene) {
-        *render = command_render_settings(&options, scene);
-        store_loaded(source, &options, cache);
-    } else if (needs_new_cache) {
-        asset_cache_destroy(cache);
-    }
-    return scene;
+/** Loads a lesson. See #ViewLessonLoader. */
+static Lesson *load_lesson(const char *path, Error *error) {
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    return script_load_lesson(path, &actions, error);
 }
 
-/** Loads a scene for the scene browser, without the options of the command line, which are for
- * another scene. See #ViewPreviewLoader. */
-static Scene *load_preview(void *context, const char *path, const atomic_bool *stop,
-                           RenderSettings *render, Error *error) {
-    (void)context;
-    Options options = options_default();
-    options.arguments[0] = path;
-    options.argument_count = 1;
-    options.progress = PROGRESS_NONE;
-    Scene *scene = command_load_scene_at(&options, 0, NULL, stop, error);
-    if (scene) {
-        *render = command_render_settings(&options, scene);
-    }
-    return scene;
-}
-
-/** Shows a scene until its window is closed. @param lesson The lesson to play, or NULL. */
-static void show_scene(const Options *options, const Lesson *lesson, Error *error) {
-    char lesson_name[PATH_MAX] = "";
-    SceneSource source = {.options = *options};
-    ViewSettings settings = {.keys_by_letter = options->keys == KEYS_BY_LETTER,
-                             .path = options->arguments[0],
-                             .snapshot_dir = ".",
-                             .launch_time = clock_now_seconds(),
-                             .initial_time = options->time,
-                             .load = load_scene,
-                             .preview = load_preview,
-                             .loader_context = &source,
-                             .lesson = lesson,
-                             .lesson_name = lesson_name,
-                             .lesson_snapshot_dir = options->lesson_snapshots,
-                             .prints_timing = options->timing};
-    if (lesson) {
-        scene_name_from_path(options->lesson, lesson_name, sizeof lesson_name);
-    }
-    const ViewRequest first = {.time = options->time};
-    Scene *scene = load_scene(&source, &first, NULL, &settings.render, error);
-    if (scene) {
-        error->status = view_run(scene, &settings, interrupt_flag(), error);
-        scene_destroy(scene);
-    }
-    asset_cache_destroy(source.cache);
-}
-
-/**
- * Uses the scene of a lesson; one on the command line must be the same.
- * @param[in,out] options  The command line; gets the scene.
- * @return false if they differ.
- */
-static bool use_lesson_scene(Options *options, const Lesson *lesson, Error *error) {
-    char wanted[PATH_MAX], named[PATH_MAX];
-    const char *given = options->argument_count > 0 ? options->arguments[0] : lesson->scene;
-    bool is_same =
-        realpath(given, wanted) && realpath(lesson->scene, named) && strcmp(wanted, named) == 0;
+/** Applies the scene and the settings of a lesson that the command line does not set. @param path
+ *  The lesson's file. @return false if its engine cannot run. */
+static bool apply_lesson(Options *options, const Lesson *lesson, const char *path, Error *error) {
+    const LessonSettings *initial = &lesson->initial_settings;
     options->arguments[0] = lesson->scene;
     options->argument_count = 1;
-    return is_same || error_set(error, STATUS_SCENE, "%s: this lesson is for %s, not for %s",
-                                options->lesson, lesson->scene, given);
-}
-
-/** Applies the settings of a lesson that the command line does not set. @return false if its engine
- *  cannot run. */
-static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error *error) {
-    const LessonSettings *initial = &lesson->initial_settings;
+    options->base_dir = NULL;
     options->samples = options->samples ? options->samples : initial->samples;
     options->depth = options->depth >= 0 ? options->depth : initial->depth;
     options->offset = options->offset >= 0 ? options->offset : initial->offset;
@@ -140,33 +61,151 @@ static bool apply_lesson_settings(Options *options, const Lesson *lesson, Error 
         options->engine = engine_find(initial->engine, error);
         if (!options->engine) {
             error->status = STATUS_SCENE;
-            return error_prefix(error, "%s: ", options->lesson);
+            return error_prefix(error, "%s: ", path);
         }
     }
     return true;
 }
 
+/** Opens a lesson in place of a scene. @param path Its file. @param[in,out] options Get its scene
+ *  and its settings. @return The lesson; NULL after an error. */
+static Lesson *open_lesson(const char *path, Options *options, Error *error) {
+    Lesson *lesson = load_lesson(path, error);
+    if (lesson && !apply_lesson(options, lesson, path, error)) {
+        lesson_destroy(lesson);
+        lesson = NULL;
+    }
+    return lesson;
+}
+
+/**
+ * Loads a scene, or a lesson with its scene. See #ViewLoader.
+ * @param stop  Loading ends early once this is true.
+ * @param[out] render  Its settings.
+ * @return The scene, or NULL.
+ */
+static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
+                         RenderSettings *render, Lesson **lesson, Error *error) {
+    SceneSource *source = context;
+    Options options = request->path ? *source->command_line : source->options;
+    double time = request->time;
+    bool needs_new_cache = request->path || request->force_reload || !source->cache;
+    *lesson = NULL;
+    if (request->path) {
+        options.arguments[0] = request->path;
+        options.argument_count = 1;
+        options.base_dir = NULL;
+    }
+    if (request->path && lesson_file_is(request->path)) {
+        *lesson = open_lesson(request->path, &options, error);
+        if (!*lesson) {
+            return NULL;
+        }
+        time = (*lesson)->initial_settings.time;
+    }
+    AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
+    Scene *scene = cache ? command_load_scene_at(&options, time, cache, stop, error) : NULL;
+    if (scene && needs_new_cache) {
+        command_print_notes(scene);
+    }
+    if (scene) {
+        *render = command_render_settings(&options, scene);
+        store_loaded(source, &options, cache);
+        return scene;
+    }
+    if (needs_new_cache) {
+        asset_cache_destroy(cache);
+    }
+    lesson_destroy(*lesson);
+    *lesson = NULL;
+    return NULL;
+}
+
+/** Loads a scene for the scene browser, without the options of the command line, which are for
+ * another scene. See #ViewPreviewLoader. */
+static Scene *load_preview(void *context, const char *path, const atomic_bool *stop,
+                           RenderSettings *render, Error *error) {
+    (void)context;
+    Options options = options_default();
+    Lesson *lesson = NULL;
+    options.arguments[0] = path;
+    options.argument_count = 1;
+    options.progress = PROGRESS_NONE;
+    if (lesson_file_is(path) && !(lesson = open_lesson(path, &options, error))) {
+        return NULL;
+    }
+    Scene *scene = command_load_scene_at(&options, options.time, NULL, stop, error);
+    if (scene) {
+        *render = command_render_settings(&options, scene);
+    }
+    lesson_destroy(lesson);
+    return scene;
+}
+
+/** Shows a scene until its window is closed. @param options The command line, with the settings of
+ *  the lesson. @param command_line Without them. @param lesson The lesson to play, or NULL. */
+static void show_scene(const Options *options, const Options *command_line, const Lesson *lesson,
+                       Error *error) {
+    SceneSource source = {.command_line = command_line, .options = *options};
+    Lesson *none = NULL;
+    ViewSettings settings = {.keys_by_letter = options->keys == KEYS_BY_LETTER,
+                             .path = options->arguments[0],
+                             .snapshot_dir = ".",
+                             .launch_time = clock_now_seconds(),
+                             .initial_time = options->time,
+                             .load = load_scene,
+                             .preview = load_preview,
+                             .loader_context = &source,
+                             .load_lesson = load_lesson,
+                             .lesson = lesson,
+                             .lesson_path = options->lesson,
+                             .lesson_snapshot_dir = options->lesson_snapshots,
+                             .predictions = options->predictions,
+                             .answer_path = options->answers,
+                             .prints_timing = options->timing};
+    const ViewRequest first = {.time = options->time};
+    Scene *scene = load_scene(&source, &first, NULL, &settings.render, &none, error);
+    if (scene) {
+        error->status = view_run(scene, &settings, interrupt_flag(), error);
+        scene_destroy(scene);
+    }
+    asset_cache_destroy(source.cache);
+}
+
+/** @return Whether the scene of the command line, if any, is that of the lesson. */
+static bool check_lesson_scene(const Options *options, const Lesson *lesson, Error *error) {
+    char wanted[PATH_MAX], named[PATH_MAX];
+    const char *given = options->argument_count > 0 ? options->arguments[0] : lesson->scene;
+    return (realpath(given, wanted) && realpath(lesson->scene, named) &&
+            strcmp(wanted, named) == 0) ||
+           error_set(error, STATUS_SCENE, "%s: this lesson is for %s, not for %s", options->lesson,
+                     lesson->scene, given);
+}
+
 /** Plays a lesson. */
 static void play_lesson(const Options *options, Error *error) {
     Options lesson_options = *options;
-    const char *names[VIEW_ACTIONS_MAXIMUM];
-    const ActionNames actions = {names, view_actions(names)};
-    Lesson *lesson = script_load_lesson(options->lesson, &actions, error);
-    if (lesson && use_lesson_scene(&lesson_options, lesson, error) &&
-        apply_lesson_settings(&lesson_options, lesson, error)) {
-        show_scene(&lesson_options, lesson, error);
+    Lesson *lesson = load_lesson(options->lesson, error);
+    if (lesson && check_lesson_scene(options, lesson, error) &&
+        apply_lesson(&lesson_options, lesson, options->lesson, error)) {
+        show_scene(&lesson_options, options, lesson, error);
     }
     lesson_destroy(lesson);
 }
 
 void cli_view(const Options *options, Error *error) {
-    if (options->lesson) {
-        play_lesson(options, error);
-    } else if (options->argument_count == 0) {
+    Options own = *options;
+    if (!own.lesson && own.argument_count == 1 && lesson_file_is(own.arguments[0])) {
+        own.lesson = own.arguments[0];
+        own.argument_count = 0;
+    }
+    if (own.lesson) {
+        play_lesson(&own, error);
+    } else if (own.argument_count == 0) {
         error_set(error, STATUS_USAGE, "view needs a SCENE, or --lesson FILE");
-    } else if (options->lesson_snapshots) {
+    } else if (own.lesson_snapshots) {
         error_set(error, STATUS_USAGE, "--lesson-snapshots needs --lesson");
     } else {
-        show_scene(options, NULL, error);
+        show_scene(&own, options, NULL, error);
     }
 }

@@ -44,7 +44,7 @@ _dioptre() {
     words=$(_dioptre_words "$previous")
     if [ -n "$words" ]; then
         mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
-    elif [[ $previous == -o || $previous == --output || $previous == --map || $previous == --svg ]]; then
+    elif [[ $previous == -o || $previous == --output || $previous == --map || $previous == --svg || $previous == --answers ]]; then
         compopt -o filenames 2>/dev/null
         mapfile -t COMPREPLY < <(compgen -f -- "$current")
     elif [[ $previous == --lesson-snapshots || $previous == --out ]]; then

@@ -23,6 +23,7 @@ static void background_renderer_publish(Renderer *renderer, const RenderStats *s
     background->front = shown;
     background->has_front = true;
     background->stats = *stats;
+    layer_renderer_publish(renderer, background->width, background->height);
     RenderPassCallback callback = background->callback;
     void *context = background->context;
     pthread_mutex_unlock(&background->mutex);
@@ -184,25 +185,65 @@ bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx,
     return is_available;
 }
 
+/** @return The numbers of a pixel of the newest pass of a layer. The mutex is held. */
+static const float *front_values_at(const Renderer *renderer, int x, int y) {
+    size_t stride = (size_t)renderer->background.stats.stride;
+    size_t columns = ((size_t)renderer->background.front.width + stride - 1) / stride;
+    size_t cell = (size_t)y / stride * columns + (size_t)x / stride;
+    return renderer->layer_renderer.front_values + LAYER_VALUES * cell;
+}
+
+/** @return Whether the newest pass has numbers. The mutex is held. */
+static bool has_front_values(const Renderer *renderer) {
+    const BackgroundRenderer *background = &renderer->background;
+    return background->has_front && background->stats.layer.layer != LAYER_SHADED &&
+           renderer->layer_renderer.front_values;
+}
+
 bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading) {
     BackgroundRenderer *background = &renderer->background;
-    const LayerRenderer *layer = &renderer->layer_renderer;
     pthread_mutex_lock(&background->mutex);
     const Picture *picture = &background->front;
     bool is_available =
         background->has_front && x >= 0 && y >= 0 && x < picture->width && y < picture->height;
+    *reading = (PixelReading){.layer = background->stats.layer.layer, .shape = -1};
     if (is_available) {
         size_t pixel = (size_t)y * (size_t)picture->width + (size_t)x;
         memcpy(reading->rgb, picture->pixels + 3 * pixel, sizeof reading->rgb);
-        // A finished picture has all pixels, and no thread writes to it any more.
-        reading->has_values =
-            background->stats.is_finished && layer->layer != LAYER_SHADED && layer->values;
-        if (reading->has_values) {
-            memcpy(reading->values, layer->values + LAYER_VALUES * pixel, sizeof reading->values);
+    }
+    if (is_available && has_front_values(renderer)) {
+        memcpy(reading->values, front_values_at(renderer, x, y), sizeof reading->values);
+    }
+    pthread_mutex_unlock(&background->mutex);
+    if (is_available) {
+        PixelGrid grid = {.x = x, .y = y, .columns = 1, .rows = 1, .stride = 1};
+        renderer->settings.engine->trace_primary(renderer->tracer, &grid, &reading->shape,
+                                                 &reading->distance);
+    }
+    return is_available;
+}
+
+bool renderer_copy_values(Renderer *renderer, RenderStats *stats, float *values) {
+    BackgroundRenderer *background = &renderer->background;
+    pthread_mutex_lock(&background->mutex);
+    bool is_available = has_front_values(renderer);
+    if (is_available) {
+        *stats = background->stats;
+    }
+    for (int y = 0; is_available && y < background->front.height; y++) {
+        for (int x = 0; x < background->front.width; x++, values += LAYER_VALUES) {
+            memcpy(values, front_values_at(renderer, x, y), LAYER_VALUES * sizeof *values);
         }
     }
     pthread_mutex_unlock(&background->mutex);
     return is_available;
+}
+
+void renderer_copy_marks(Renderer *renderer, LayerMarks *marks) {
+    pthread_mutex_lock(&renderer->background.mutex);
+    *marks = has_front_values(renderer) ? renderer->layer_renderer.front_marks
+                                        : (LayerMarks){.count = 0};
+    pthread_mutex_unlock(&renderer->background.mutex);
 }
 
 void background_renderer_deinit(BackgroundRenderer *background) {

@@ -18,11 +18,13 @@ static const uint8_t ACNE_COLOR[3] = {0xff, 0x7a, 0x00};
 /** Colour of leaks. */
 static const uint8_t LEAK_COLOR[3] = {0x2f, 0xb4, 0xff};
 
-/** Low end of the scale of errors, in steps of 8 bits. */
-static const double ERROR_SCALE_MINIMUM = 1e-4;
+/** Low end of the scale of errors, in steps of 8 bits: double's are seen, too. */
+static const double ERROR_SCALE_MINIMUM = 1e-16;
 /** Ratio of greatest to least number from which a scale is logarithmic. */
 static const double LOG_SCALE_RATIO = 4;
-/** Decades up to which the legend of a logarithmic scale has 1, 2, 5, 10, 20 and so on. */
+/** Decades up to which the legend of a logarithmic scale has 1, 2, 3, 5, 10, 20 and so on. */
+static const double FEWEST_DECADES = 2;
+/** Decades up to which it has 1, 2, 5, 10, 20 and so on. */
 static const double FEW_DECADES = 2.5;
 /** Decades up to which it has 1, 3, 10, 30 and so on; beyond, powers of ten alone. */
 static const double SOME_DECADES = 4;
@@ -78,11 +80,6 @@ static double scale_fraction(const LayerScale *scale, double value) {
 /** Colours a magnitude. See #LayerClass.color. */
 static void color_cividis(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
     palette_color(&palette_cividis, scale_fraction(scale, (double)values[0]), rgb);
-}
-
-/** Colours a magnitude. See #LayerClass.color. */
-static void color_viridis(const LayerScale *scale, const float *values, uint8_t rgb[3]) {
-    palette_color(&palette_viridis, scale_fraction(scale, (double)values[0]), rgb);
 }
 
 /** @return A number as a step of 8 bits. @param unit_value The number; clamped to 0 to 1. */
@@ -153,6 +150,37 @@ static void color_artifact(const LayerScale *scale, const float *values, uint8_t
     }
 }
 
+/* --- differences ------------------------------------------------------------------------------ */
+
+/** @return The angle between two normals, degrees. See #LayerClass.difference. */
+static double angle_between_normals(const float *a, const float *b) {
+    double cosine = 0, sine = 0;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        double cross = (double)a[j] * (double)b[k] - (double)a[k] * (double)b[j];
+        cosine += (double)a[i] * (double)b[i];
+        sine += cross * cross;
+    }
+    return atan2(sqrt(sine), cosine) * (180 / M_PI);
+}
+
+/** @return 1 if the shapes are not the same, else 0. See #LayerClass.difference. */
+static double is_other_shape(const float *a, const float *b) {
+    return a[0] != b[0];
+}
+
+/** @return The difference of u or of v, whichever is larger. See #LayerClass.difference. */
+static double largest_uv_difference(const float *a, const float *b) {
+    double u = (double)a[0] - (double)b[0], v = (double)a[1] - (double)b[1];
+    return fabs(u) >= fabs(v) ? u : v;
+}
+
+/** @return 1 where only the first has an artefact, -1 where only the second has. See
+ *  #LayerClass.difference. */
+static double artifact_difference(const float *a, const float *b) {
+    return (a[1] > ARTIFACT_NONE) - (b[1] > ARTIFACT_NONE);
+}
+
 /* --- legends ---------------------------------------------------------------------------------- */
 
 /** Normals along the axes. */
@@ -189,6 +217,9 @@ static const LayerClass layers[LAYER_COUNT] = {
                        .has_missing = true,
                        .legend = normal_legend,
                        .read = read_normal,
+                       .difference = angle_between_normals,
+                       .difference_unit = N_("degrees"),
+                       .difference_high = 180,
                        .color = color_normal},
     [LAYER_DISTANCE] = {.name = N_("distance"),
                         .unit = N_("scene units"),
@@ -200,6 +231,8 @@ static const LayerClass layers[LAYER_COUNT] = {
                       .has_missing = true,
                       .legend = shape_legend,
                       .read = read_shape_id,
+                      .difference = is_other_shape,
+                      .difference_high = 1,
                       .color = color_shape},
     [LAYER_UV] = {.name = N_("places on pictures"),
                   .unit = "(u, v)",
@@ -207,20 +240,21 @@ static const LayerClass layers[LAYER_COUNT] = {
                   .has_missing = true,
                   .legend = uv_legend,
                   .read = read_uv,
+                  .difference = largest_uv_difference,
                   .color = color_uv},
     [LAYER_RAYS] = {.name = N_("rays spent"),
-                    .unit = N_("a pixel"),
+                    .unit = N_("rays per pixel"),
                     .aov_mask = AOV_RADIANCE,
                     .read = read_ray_count,
                     .color = color_cividis},
     [LAYER_STEPS] = {.name = N_("marching steps"),
-                     .unit = N_("a ray"),
+                     .unit = N_("steps per ray"),
                      .aov_mask = AOV_STEPS,
                      .has_missing = true,
                      .read = read_step_count,
-                     .color = color_viridis},
+                     .color = color_cividis},
     [LAYER_TIME] = {.name = N_("time spent"),
-                    .unit = N_("ns a pixel"),
+                    .unit = N_("ns per pixel"),
                     .is_timed = true,
                     .repeats = TIME_REPEATS,
                     .measure = measure_time,
@@ -241,6 +275,8 @@ static const LayerClass layers[LAYER_COUNT] = {
                     .reference = REFERENCE_DOUBLE,
                     .measure = measure_artifacts,
                     .classify = classify_path,
+                    .difference = artifact_difference,
+                    .difference_high = 1,
                     .color = color_artifact},
     [LAYER_ROUNDING] = {.name = N_("rounding"),
                         .unit = N_("steps of 255"),
@@ -319,16 +355,50 @@ void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[L
         while (entry->number && entry->values[1] != values[1]) {
             entry++;
         }
-        snprintf(text, LAYER_TEXT_SIZE, "%s", entry->number ? gettext(entry->label) : "");
+        snprintf(text, LAYER_TEXT_SIZE, "%s",
+                 gettext(entry->number ? entry->label : N_("as in the reference")));
     } else if (isnan(x)) {
-        snprintf(text, LAYER_TEXT_SIZE, "%s", gettext("nothing"));
+        bool is_missing = layer_class(layer)->has_missing;
+        snprintf(text, LAYER_TEXT_SIZE, "%s",
+                 is_missing ? gettext("nothing") : gettext("not measured yet"));
     } else if (layer == LAYER_NORMALS) {
         snprintf(text, LAYER_TEXT_SIZE, "(%.4f, %.4f, %.4f)", x, y, z);
     } else if (layer == LAYER_UV) {
         snprintf(text, LAYER_TEXT_SIZE, "(%.5g, %.5g)", x, y);
+    } else if (unit[0] == '\0') {
+        snprintf(text, LAYER_TEXT_SIZE, "%.6g", x);
     } else {
-        snprintf(text, LAYER_TEXT_SIZE, "%.6g %s", x, unit[0] != '\0' ? gettext(unit) : "");
+        snprintf(text, LAYER_TEXT_SIZE, "%.6g %s", x, gettext(unit));
     }
+}
+
+double layer_difference(Layer layer, const float a[LAYER_VALUES], const float b[LAYER_VALUES]) {
+    bool is_a_missing = isnan(a[0]), is_b_missing = isnan(b[0]);
+    if (is_a_missing || is_b_missing) {
+        return is_a_missing && is_b_missing && layers[layer].has_missing ? 0 : NAN;
+    }
+    return layers[layer].difference ? layers[layer].difference(a, b)
+                                    : (double)a[0] - (double)b[0];
+}
+
+const char *layer_difference_unit(Layer layer) {
+    const char *unit = layers[layer].difference_unit;
+    return unit ? unit : layers[layer].unit;
+}
+
+bool layer_has_missing(Layer layer) {
+    return layers[layer].has_missing;
+}
+
+LayerScale layer_difference_scale(Layer layer, double largest) {
+    const LayerClass *class = &layers[layer];
+    double high = class->scale_high > 0        ? class->scale_high
+                  : class->difference_high > 0 ? class->difference_high
+                  : largest > 0                ? round_up_1_2_5(largest)
+                                               : 1;
+    // As many numbers as a picture has steps are linear: the same colours as in its difference.
+    double low = class->scale_low > 0 ? class->scale_low : high / ENCODING_CODE_MAXIMUM;
+    return (LayerScale){low, high, true, 1 / log1p(high / low)};
 }
 
 LayerScale layer_scale(Layer layer, double low, double high) {
@@ -352,24 +422,38 @@ LayerScale layer_scale(Layer layer, double low, double high) {
 static void legend_entry_at(Layer layer, const LayerScale *scale, double value,
                             LegendEntry *entry) {
     float values[LAYER_VALUES] = {(float)value};
-    *entry = (LegendEntry){.label = NULL};
+    *entry = (LegendEntry){.position = scale_fraction(scale, value)};
     snprintf(entry->number, sizeof entry->number, "%.9g", value);
     layer_color(layer, scale, values, entry->rgb);
+}
+
+/** @return The next number below one whose first digit is in a list. @param digits The digits,
+ *  from the largest down; the last is 1. */
+static double next_digit_below(double value, const int *digits) {
+    /** A digit that has lost some roundings is still that digit. */
+    const double rounding = 1e-3;
+    double power = pow(10, floor(log10(value * (1 - rounding))));
+    while (*digits > 1 && value / power < *digits * (1 + rounding)) {
+        digits++;
+    }
+    return power * *digits;
 }
 
 /** @return The next lower number in the legend of a logarithmic scale; few enough fit. */
 static double next_log_value_below(const LayerScale *scale, double value) {
     double decades = log10(scale->high / scale->low);
+    if (decades <= FEWEST_DECADES) {
+        return next_digit_below(value, (const int[]){5, 3, 2, 1});
+    }
     if (decades < FEW_DECADES) {
-        return round_down_1_2_5(value * 0.75);
+        return next_digit_below(value, (const int[]){5, 2, 1});
     }
-    double power_of_ten = pow(10, floor(log10(value * 0.999)));
     if (decades < SOME_DECADES) {
-        return value > 4 * power_of_ten ? 3 * power_of_ten : power_of_ten;
+        return next_digit_below(value, (const int[]){3, 1});
     }
-    double ratio = pow(10, ceil(decades / (LEGEND_ENTRIES_MAXIMUM - 3)));
-    double power = pow(10, floor(log10(value * 1.0001)));
-    return power < value * 0.999 ? power : value / ratio;
+    // Powers of ten in equal steps, of which 1 is one.
+    double step = ceil(decades / (LEGEND_ENTRIES_MAXIMUM - 3));
+    return pow(10, step * floor(log10(value * 0.999) / step));
 }
 
 /** Writes the legend of a scale. @return Number of rows. */
@@ -395,7 +479,7 @@ static size_t fixed_legend(Layer layer, const LayerScale *scale,
                            LegendEntry entries[LEGEND_ENTRIES_MAXIMUM]) {
     size_t count = 0;
     for (const FixedLegendEntry *entry = layers[layer].legend; entry->number; entry++, count++) {
-        entries[count] = (LegendEntry){.label = entry->label};
+        entries[count] = (LegendEntry){.label = entry->label, .position = LEGEND_APART};
         snprintf(entries[count].number, sizeof entries[count].number, "%s", entry->number);
         layer_color(layer, scale, entry->values, entries[count].rgb);
     }
@@ -412,7 +496,8 @@ size_t layer_legend(Layer layer, const LayerScale *scale,
     const char *zero_label = layers[layer].zero_label;
     if (layers[layer].has_missing || zero_label) {
         const float values[LAYER_VALUES] = {zero_label ? 0 : NAN};
-        entries[count] = (LegendEntry){.label = zero_label ? zero_label : N_("nothing")};
+        entries[count] = (LegendEntry){.label = zero_label ? zero_label : N_("nothing"),
+                                       .position = LEGEND_APART};
         layer_color(layer, scale, values, entries[count++].rgb);
     }
     return count;

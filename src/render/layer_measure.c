@@ -32,11 +32,8 @@ static float perceived_brightness(const RenderPass *pass, const double color[3])
 static float code_difference(const double a[3], const double b[3]) {
     double largest = 0;
     for (int i = 0; i < 3; i++) {
-        if (a[i] != b[i]) {
-            double x = encoding_encode(ENCODING_SRGB, a[i] > 1 ? 1 : a[i]);
-            double y = encoding_encode(ENCODING_SRGB, b[i] > 1 ? 1 : b[i]);
-            largest = fmax(largest, fabs(x - y));
-        }
+        largest = fmax(largest, fabs(encoding_difference(ENCODING_SRGB, fmin(a[i], 1),
+                                                         fmin(b[i], 1))));
     }
     return (float)largest;
 }
@@ -208,15 +205,19 @@ static void update_tile_range(const RenderPass *pass, const PixelGrid *grid, dou
     }
 }
 
+void layer_timing_block(const Engine *engine, int *columns, int *rows) {
+    int lanes = engine->lanes;
+    *columns = lanes == 1 ? TIMING_GROUP_COLUMNS : lanes > STRIP_ROWS ? lanes : STRIP_ROWS;
+    *rows = lanes == 1 ? TIMING_GROUP_ROWS : STRIP_ROWS;
+}
+
 /** @return The strip of a tile that begins at a ray. @param column Its column in the grid. */
 static PixelGrid strip_at(const RenderPass *pass, const PixelGrid *grid, int column, int row) {
     bool is_timed = layer_class(pass->layer)->is_timed;
-    int lanes = pass->engine->lanes;
-    int columns = !is_timed            ? grid->columns
-                  : lanes == 1         ? TIMING_GROUP_COLUMNS
-                  : lanes > STRIP_ROWS ? lanes
-                                       : STRIP_ROWS;
-    int rows = lanes > 1 ? STRIP_ROWS : is_timed ? TIMING_GROUP_ROWS : 1;
+    int columns = grid->columns, rows = pass->engine->lanes > 1 ? STRIP_ROWS : 1;
+    if (is_timed) {
+        layer_timing_block(pass->engine, &columns, &rows);
+    }
     PixelGrid strip = *grid;
     strip.x += column * grid->stride;
     strip.y += row * grid->stride;

@@ -27,9 +27,10 @@ static void reference_tracer_destroy(LayerRenderer *layer_renderer) {
 /** Frees the numbers of all pixels. */
 static void layer_values_deinit(LayerRenderer *layer_renderer) {
     free(layer_renderer->values);
+    free(layer_renderer->front_values);
     free(layer_renderer->path_hashes);
     free(layer_renderer->ranges);
-    layer_renderer->values = NULL;
+    layer_renderer->values = layer_renderer->front_values = NULL;
     layer_renderer->path_hashes = NULL;
     layer_renderer->ranges = NULL;
     layer_renderer->capacity = 0;
@@ -82,9 +83,12 @@ static bool layer_values_resize(LayerRenderer *layer_renderer, int width, int he
     }
     layer_values_deinit(layer_renderer);
     layer_renderer->values = calloc(pixels, LAYER_VALUES * sizeof *layer_renderer->values);
+    layer_renderer->front_values =
+        calloc(pixels, LAYER_VALUES * sizeof *layer_renderer->front_values);
     layer_renderer->path_hashes = calloc(pixels, sizeof *layer_renderer->path_hashes);
     layer_renderer->ranges = calloc(pixels, 2 * sizeof *layer_renderer->ranges);
-    if (!layer_renderer->values || !layer_renderer->path_hashes || !layer_renderer->ranges) {
+    if (!layer_renderer->values || !layer_renderer->front_values || !layer_renderer->path_hashes ||
+        !layer_renderer->ranges) {
         return error_set(error, STATUS_FAILED, "no memory for a layer");
     }
     layer_renderer->capacity = pixels;
@@ -151,10 +155,9 @@ static void color_tile(RenderPass *pass, const PixelGrid *tile, size_t index) {
     uint64_t counts[ARTIFACT_LEAK + 1] = {0};
     for (int row = 0; row < grid.rows; row++) {
         for (int column = 0; column < grid.columns; column++) {
-            float values[LAYER_VALUES];
             uint8_t rgb[3];
             size_t cell = layer_cell_index(pass, &grid, column, row);
-            memcpy(values, layer_cell_values(pass, &grid, column, row), sizeof values);
+            float *values = layer_cell_values(pass, &grid, column, row);
             if (layer->classify) {
                 counts[layer->classify(pass, cell, values)]++;
             }
@@ -168,13 +171,66 @@ static void color_tile(RenderPass *pass, const PixelGrid *tile, size_t index) {
                               memory_order_relaxed);
 }
 
+/** Adds a mark, unless there is one nearby or there are too many. @param x The pixel's column. */
+static void marks_add(LayerMarks *marks, int x, int y) {
+    for (size_t i = 0; i < marks->count; i++) {
+        if (abs(marks->x[i] - x) <= LAYER_MARK_REACH && abs(marks->y[i] - y) <= LAYER_MARK_REACH) {
+            return;
+        }
+    }
+    if (marks->count == LAYER_MARKS_MAXIMUM) {
+        *marks = (LayerMarks){.is_too_many = true};
+        return;
+    }
+    marks->x[marks->count] = x;
+    marks->y[marks->count++] = y;
+}
+
+/** Finds the marks of a pass whose rays are measured and classified. */
+static void find_marks(const RenderPass *pass, LayerMarks *marks) {
+    const LayerClass *layer = layer_class(pass->layer);
+    size_t columns = layer_pass_columns(pass), stride = (size_t)pass->range.stride;
+    size_t rows = ((size_t)pass->height + stride - 1) / stride;
+    uint64_t left = atomic_load(&pass->artifact_pixels) + atomic_load(&pass->leak_pixels);
+    *marks = (LayerMarks){.is_too_many = left > LAYER_MARKED_PIXELS};
+    for (size_t cell = 0; left > 0 && !marks->is_too_many && cell < columns * rows; cell++) {
+        float *values = pass->renderer->layer_renderer.values + LAYER_VALUES * cell;
+        if (layer->classify(pass, cell, values) != ARTIFACT_NONE) {
+            left--;
+            marks_add(marks, (int)(cell % columns * stride + stride / 2),
+                      (int)(cell / columns * stride + stride / 2));
+        }
+    }
+}
+
 bool render_pass_run_layer(RenderPass *pass) {
     pass->pixel_count = pass->artifact_pixels = pass->leak_pixels = 0;
     if (!render_pass_run_tiles(pass, layer_measure_tile)) {
         return false;
     }
     pass->scale = scale_of_values(pass);
-    return render_pass_run_tiles(pass, color_tile);
+    if (!render_pass_run_tiles(pass, color_tile)) {
+        return false;
+    }
+    find_marks(pass, &pass->renderer->layer_renderer.marks);
+    return true;
+}
+
+void layer_renderer_publish(Renderer *renderer, int width, int height) {
+    LayerRenderer *layer_renderer = &renderer->layer_renderer;
+    float *measured = layer_renderer->values;
+    if (layer_renderer->layer == LAYER_SHADED) {
+        return;
+    }
+    if (layer_class(layer_renderer->layer)->repeats > 0) {
+        // The next pass improves these numbers.
+        memcpy(layer_renderer->front_values, measured,
+               (size_t)width * (size_t)height * LAYER_VALUES * sizeof *measured);
+    } else {
+        layer_renderer->values = layer_renderer->front_values;
+        layer_renderer->front_values = measured;
+    }
+    layer_renderer->front_marks = layer_renderer->marks;
 }
 
 LayerPasses layer_passes(const Renderer *renderer) {

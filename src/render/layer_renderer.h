@@ -56,6 +56,12 @@ typedef struct LayerClass {
      */
     ShadingArtifact (*classify)(const RenderPass *pass, size_t cell, float values[LAYER_VALUES]);
 
+    /** Finds how far the numbers of two pixels are apart; NULL: the first minus the second. See
+     *  #layer_difference. */
+    double (*difference)(const float *a, const float *b);
+    const char *difference_unit; /**< Its unit, in English; NULL: #unit. */
+    double difference_high;      /**< Its largest value; 0: by values. */
+
     /** Finds the colour of a pixel that has numbers. */
     void (*color)(const LayerScale *scale, const float *values, uint8_t rgb[3]);
 } LayerClass;

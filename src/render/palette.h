@@ -17,9 +17,6 @@ typedef struct Palette {
 /** From blue to yellow, the same to nearly all eyes (Nuñez, Anderton and Renslow, *Optimizing
  *  colormaps with consideration for color vision deficiency*, 2018). */
 extern const Palette palette_cividis;
-/** From violet to yellow (van der Walt and Smith, *A better default colormap for Matplotlib*,
- * 2015). */
-extern const Palette palette_viridis;
 /** From blue over white to red, for signed numbers. */
 extern const Palette palette_diverging;
 

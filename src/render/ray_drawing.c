@@ -33,8 +33,8 @@ static const double MARK_FACTOR = 2.4;
 static const double ARROW_POSITION = 0.6;
 /** Opacity of a ray's border. */
 static const double BORDER_ALPHA = 0.8;
-/** Rays that have numbers, at most: more would hide the rays. */
-enum { NUMBERED_RAYS_MAXIMUM = 40 };
+/** Opacity of the rays that are not selected, if one is. */
+static const double DIM_ALPHA = 0.4;
 
 const RayStyle *ray_styles(void) {
     static const RayStyle styles[RAY_STYLE_COUNT] = {
@@ -103,13 +103,16 @@ static void draw_arrow(const RayDrawing *drawing, const ProjectedRay *line, doub
     cairo_fill(drawing->cairo);
 }
 
-/**
- * Projects a ray and clips it to the drawing (Liang and Barsky), so that its arrowhead and its
- * number are in sight and its dashes are few.
- * @return Whether any of it is in sight.
- */
-static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray, ProjectedRay *line) {
-    if (!orbit_camera_project_ray(drawing->orbit, &drawing->view, ray, line)) {
+/** @return Whether a ray is drawn. */
+static bool is_shown(const RayDrawing *drawing, size_t index) {
+    return !(drawing->hidden_kinds >> drawing->tree->nodes[index].kind & 1);
+}
+
+// Clipped (Liang and Barsky), so that arrowhead and number are in sight and dashes are few.
+bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *line) {
+    const RayTreeNode *ray = &drawing->tree->nodes[index];
+    if (!is_shown(drawing, index) ||
+        !orbit_camera_project_ray(drawing->orbit, &drawing->view, ray, line)) {
         return false;
     }
     double first = 0, last = 1;
@@ -158,24 +161,127 @@ void ray_drawing_text(const RayDrawing *drawing, double x, double y, const char 
     cairo_show_text(cairo, text);
 }
 
-void ray_drawing_rays(const RayDrawing *drawing) {
-    const RayTree *tree = drawing->tree;
-    double thickness = line_thickness(drawing);
+/** Draws the rays but the selected one. */
+static void draw_other_rays(const RayDrawing *drawing) {
     ProjectedRay line;
-    for (size_t i = tree->count; i-- > 0;) { // The first rays are drawn last, over all others.
-        if (project_clipped(drawing, &tree->nodes[i], &line)) {
+    for (size_t i = drawing->tree->count; i-- > 0;) { // The first rays lie over all others.
+        if (i != drawing->selected && ray_drawing_project(drawing, i, &line)) {
             draw_ray(drawing, &line, i);
         }
     }
-    for (size_t i = 0; i < tree->count && i < NUMBERED_RAYS_MAXIMUM; i++) {
-        if (project_clipped(drawing, &tree->nodes[i], &line)) {
-            char number[24];
-            snprintf(number, sizeof number, "%zu", i);
-            ray_drawing_text(drawing, (line.x[0] + line.x[1]) / 2 + 3 * thickness,
-                             (line.y[0] + line.y[1]) / 2 - 2 * thickness, number);
+}
+
+void ray_drawing_rays(const RayDrawing *drawing) {
+    bool is_dim = drawing->selected < drawing->tree->count;
+    ProjectedRay line;
+    if (is_dim) {
+        cairo_push_group(drawing->cairo);
+    }
+    draw_other_rays(drawing);
+    if (is_dim) {
+        cairo_pop_group_to_source(drawing->cairo);
+        cairo_paint_with_alpha(drawing->cairo, DIM_ALPHA);
+    }
+    if (is_dim && !drawing->hides_selected &&
+        ray_drawing_project(drawing, drawing->selected, &line)) {
+        draw_ray(drawing, &line, drawing->selected);
+    }
+}
+
+/* --- numbers ---------------------------------------------------------------------------------- */
+
+/** Adds the number of a ray, if the ray is in sight. @return How many there are then. */
+static size_t add_label(const RayDrawing *drawing, size_t ray, size_t count, RayLabel *labels,
+                        LabelBox *boxes) {
+    ProjectedRay line;
+    if (count == RAY_LABELS_MAXIMUM || !ray_drawing_project(drawing, ray, &line)) {
+        return count;
+    }
+    labels[count].ray = ray;
+    snprintf(labels[count].text, RAY_LABEL_SIZE, "%zu", ray);
+    boxes[count] =
+        (LabelBox){.from_x = line.x[0], .from_y = line.y[0], .to_x = line.x[1], .to_y = line.y[1]};
+    return count + 1;
+}
+
+size_t ray_drawing_labels(const RayDrawing *drawing, RayLabel labels[RAY_LABELS_MAXIMUM],
+                          LabelBox boxes[RAY_LABELS_MAXIMUM]) {
+    size_t count = 0;
+    if (drawing->selected < drawing->tree->count) {
+        count = add_label(drawing, drawing->selected, count, labels, boxes);
+    }
+    for (size_t i = 0; i < drawing->tree->count && count < RAY_LABELS_MAXIMUM; i++) {
+        if (i != drawing->selected) {
+            count = add_label(drawing, i, count, labels, boxes);
+        }
+    }
+    return count;
+}
+
+/** Draws the line from a ray to its number. */
+static void draw_leader(const RayDrawing *drawing, const LabelBox *box) {
+    cairo_t *cairo = drawing->cairo;
+    cairo_move_to(cairo, box->anchor_x, box->anchor_y);
+    cairo_line_to(cairo, box->x + box->width / 2, box->y + box->height / 2);
+    cairo_set_dash(cairo, NULL, 0, 0);
+    cairo_set_line_width(cairo, line_thickness(drawing) / 2);
+    set_color(cairo, 0x000000, BORDER_ALPHA);
+    cairo_stroke(cairo);
+}
+
+void ray_drawing_numbers(const RayDrawing *drawing) {
+    RayLabel labels[RAY_LABELS_MAXIMUM];
+    LabelBox boxes[RAY_LABELS_MAXIMUM];
+    size_t count = ray_drawing_labels(drawing, labels, boxes);
+    double size = FONT_FACTOR * line_thickness(drawing);
+    for (size_t i = 0; i < count; i++) {
+        cairo_text_extents_t extents;
+        cairo_set_font_size(drawing->cairo, size);
+        cairo_text_extents(drawing->cairo, labels[i].text, &extents);
+        boxes[i].width = extents.x_advance;
+        boxes[i].height = size;
+    }
+    labels_place(boxes, count, drawing->view.width, drawing->view.height);
+    for (size_t i = 0; i < count; i++) {
+        if (boxes[i].is_placed) {
+            draw_leader(drawing, &boxes[i]);
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (boxes[i].is_placed) {
+            // The base line of digits: they are as high as most of their size.
+            ray_drawing_text(drawing, boxes[i].x, boxes[i].y + 0.85 * size, labels[i].text);
         }
     }
 }
+
+/* --- picking ---------------------------------------------------------------------------------- */
+
+/** @return The distance of a point from a line, pixels. */
+static double distance_from_line(const ProjectedRay *line, double x, double y) {
+    double along_x = line->x[1] - line->x[0], along_y = line->y[1] - line->y[0];
+    double squared = along_x * along_x + along_y * along_y;
+    double t = (x - line->x[0]) * along_x + (y - line->y[0]) * along_y;
+    t = squared > 0 ? fmin(fmax(t / squared, 0), 1) : 0;
+    return hypot(line->x[0] + t * along_x - x, line->y[0] + t * along_y - y);
+}
+
+size_t ray_drawing_at(const RayDrawing *drawing, double x, double y, double reach) {
+    size_t found = RAY_DRAWING_UNSELECTED;
+    ProjectedRay line;
+    for (size_t i = 0; i < drawing->tree->count; i++) {
+        if (ray_drawing_project(drawing, i, &line)) {
+            double distance = distance_from_line(&line, x, y);
+            if (distance < reach) {
+                reach = distance;
+                found = i;
+            }
+        }
+    }
+    return found;
+}
+
+/* --- marks ------------------------------------------------------------------------------------ */
 
 void ray_drawing_mark(const RayDrawing *drawing, Vec3d point, unsigned color, const char *label) {
     cairo_t *cairo = drawing->cairo;

@@ -7,6 +7,7 @@
 #ifndef DIOPTRE_RENDER_RAY_DRAWING_H
 #define DIOPTRE_RENDER_RAY_DRAWING_H
 
+#include "render/label_layout.h"
 #include "render/orbit_camera.h"
 
 #include <cairo.h>
@@ -44,11 +45,43 @@ typedef struct RayDrawing {
     const RayTree *tree;      /**< The rays. */
     const OrbitCamera *orbit; /**< The camera's orbit. */
     ProjectedView view;       /**< What the camera sees. */
-    size_t selected;          /**< Index of a ray that is drawn thicker. */
+    size_t selected;          /**< Index of a ray that is drawn thicker, and all others dim. */
+    unsigned hidden_kinds;    /**< Kinds of rays that are not drawn: bit i is #RayType i. */
+    bool hides_selected;      /**< Whether the selected ray is not drawn either: it is in flight. */
 } RayDrawing;
 
-/** Draws all rays, each with a light border, an arrowhead, and its index in the tree. */
+/** Draws all rays, each with a light border and an arrowhead. */
 void ray_drawing_rays(const RayDrawing *drawing);
+
+/** Rays that have numbers, at most: more would hide the rays. */
+enum { RAY_LABELS_MAXIMUM = 40 };
+/** Bytes of the number of a ray with the final zero. */
+enum { RAY_LABEL_SIZE = 24 };
+
+/** The number of a ray in the drawing. */
+typedef struct RayLabel {
+    size_t ray;                /**< Index of the ray. */
+    char text[RAY_LABEL_SIZE]; /**< The number. */
+} RayLabel;
+
+/**
+ * Finds where the rays are whose numbers are shown, the selected one first.
+ * @param[out] labels  The numbers.
+ * @param[out] boxes   Their lines, the rays; the sizes of the texts are not set.
+ * @return How many there are.
+ */
+size_t ray_drawing_labels(const RayDrawing *drawing, RayLabel labels[RAY_LABELS_MAXIMUM],
+                          LabelBox boxes[RAY_LABELS_MAXIMUM]);
+
+/** Draws the numbers of the rays, with leader lines. */
+void ray_drawing_numbers(const RayDrawing *drawing);
+
+/** Finds the ray that is drawn at a point. @param reach Largest distance, pixels. @return Its
+ *  index; #RAY_DRAWING_UNSELECTED: none. */
+size_t ray_drawing_at(const RayDrawing *drawing, double x, double y, double reach);
+
+/** Projects a ray and clips it to the drawing. @return Whether any of it is in sight. */
+bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *line);
 
 /** Marks a point by a spot. @param color 0xRRGGBB. @param label Beside it; NULL: none. */
 void ray_drawing_mark(const RayDrawing *drawing, Vec3d point, unsigned color, const char *label);

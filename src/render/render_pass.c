@@ -4,7 +4,7 @@
  */
 #include "render/render_pass.h"
 
-#include "render/renderer_internal.h"
+#include "render/layer_renderer.h"
 
 /* --- tiles ------------------------------------------------------------------------------------ */
 
@@ -105,6 +105,10 @@ RenderStats render_pass_stats(RenderPass *pass, bool is_last) {
     if (pass->range.stride == 1 && pass->full_resolution_seconds == 0) {
         pass->full_resolution_seconds = seconds;
     }
+    uint64_t measured = pass->range.is_preview ? 0 : atomic_load(&pass->pixel_count);
+    const Engine *reference = layer_class(pass->layer)->reference != REFERENCE_NONE
+                                  ? pass->renderer->layer_renderer.reference
+                                  : NULL;
     return (RenderStats){.seconds = seconds,
                          .full_resolution_seconds = pass->full_resolution_seconds,
                          .rays = {.camera = atomic_load(&pass->camera),
@@ -122,5 +126,8 @@ RenderStats render_pass_stats(RenderPass *pass, bool is_last) {
                                    .scale = pass->scale,
                                    .pixel_count = atomic_load(&pass->pixel_count),
                                    .artifact_pixels = atomic_load(&pass->artifact_pixels),
-                                   .leak_pixels = atomic_load(&pass->leak_pixels)}};
+                                   .leak_pixels = atomic_load(&pass->leak_pixels),
+                                   .measured_fraction =
+                                       (double)measured / ((double)pass->width * pass->height),
+                                   .reference = reference ? reference->name : NULL}};
 }

@@ -36,6 +36,9 @@ typedef struct LayerRenderer {
     const Engine *reference;  /**< The engine that it is compared with; NULL: none. */
     Tracer *reference_tracer; /**< Its tracer; owned. */
     float *values;            /**< #LAYER_VALUES numbers of each ray; owned. */
+    float *front_values;      /**< Those of the newest finished pass; owned. */
+    LayerMarks marks;         /**< The artefacts of the pass under way. */
+    LayerMarks front_marks;   /**< Those of the newest finished pass. */
     uint32_t *path_hashes;    /**< Path hash of the reference's rays; owned. */
     double *ranges;           /**< Least and greatest number of each tile; owned. */
     size_t capacity;          /**< Pixels that the arrays have room for. */
@@ -69,6 +72,9 @@ void background_renderer_deinit(BackgroundRenderer *background);
  */
 bool layer_renderer_prepare(Renderer *renderer, const Scene *scene, int width, int height,
                             Error *error);
+
+/** Makes the numbers and marks of a finished pass those that are shown. */
+void layer_renderer_publish(Renderer *renderer, int width, int height);
 
 /** Frees the data of layers. */
 void layer_renderer_deinit(Renderer *renderer);

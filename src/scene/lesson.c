@@ -4,6 +4,7 @@
  */
 #include "dioptre/lesson.h"
 
+#include "base/untrusted.h"
 #include "dioptre/scene.h"
 
 #include <string.h>
@@ -48,6 +49,33 @@ bool lesson_add(Lesson *lesson, const LessonStep *step, Error *error) {
     return true;
 }
 
+bool lesson_add_question(Lesson *lesson, const LessonQuestion *question, int64_t time,
+                         Error *error) {
+    LessonStep step = {.kind = LESSON_ASK, .time = time, .action = (int)lesson->question_count};
+    if (lesson->question_count == LESSON_QUESTIONS_MAXIMUM) {
+        return error_set(error, STATUS_SCENE, "a lesson may have at most %d questions",
+                         LESSON_QUESTIONS_MAXIMUM);
+    }
+    lesson->questions[lesson->question_count++] = *question;
+    return lesson_add(lesson, &step, error);
+}
+
+/** @return Whether two texts are equal, or both missing. */
+static bool is_same_text(const char *a, const char *b) {
+    return a && b ? strcmp(a, b) == 0 : a == b;
+}
+
+size_t lesson_first_asked(const Lesson *lesson, size_t question) {
+    const LessonText *text = &lesson->questions[question].text;
+    size_t first = 0;
+    while (first < question &&
+           !(is_same_text(lesson->questions[first].text.english, text->english) &&
+             is_same_text(lesson->questions[first].text.french, text->french))) {
+        first++;
+    }
+    return first;
+}
+
 const char *lesson_store_text(Lesson *lesson, const char *text, Error *error) {
     size_t size = strlen(text) + 1;
     if (size > LESSON_TEXT_MAXIMUM - lesson->text_used) {
@@ -76,15 +104,12 @@ const char *lesson_text_localized(const LessonText *text, bool is_french) {
 
 /** @return Whether a text is NULL, or lies in the texts of a lesson, the last of which ends. */
 static bool check_text(const Lesson *lesson, const char *text) {
-    uintptr_t start = (uintptr_t)lesson->text;
-    return !text || ((uintptr_t)text >= start && (uintptr_t)text - start < lesson->text_used);
+    return !text || untrusted_lies_in(lesson->text, lesson->text_used, text, 1);
 }
 
-/** @return Whether a flag has one of the bytes of a bool. */
-static bool check_flag(const bool *flag) {
-    unsigned char byte;
-    memcpy(&byte, flag, sizeof byte);
-    return byte <= 1;
+/** @return Whether a text in the languages of the program is valid. See #check_text. */
+static bool check_texts(const Lesson *lesson, const LessonText *text) {
+    return check_text(lesson, text->english) && check_text(lesson, text->french);
 }
 
 /** @return Whether a number of the settings is unset or in range. */
@@ -104,15 +129,70 @@ static bool check_settings(const Lesson *lesson) {
            fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
 }
 
+/** @return Whether a question is valid. */
+static bool check_question(const Lesson *lesson, const LessonQuestion *question) {
+    int count = question->choice_count;
+    bool is_valid = count >= LESSON_CHOICES_MINIMUM && count <= LESSON_CHOICES_MAXIMUM &&
+                    question->right >= 0 && question->right < count &&
+                    check_texts(lesson, &question->text) && check_texts(lesson, &question->because);
+    for (int i = 0; is_valid && i < count; i++) {
+        is_valid = check_texts(lesson, &question->choices[i]);
+    }
+    return is_valid;
+}
+
+/** @return Whether the questions of a lesson, and the sentences about it, are valid. */
+static bool check_questions(const Lesson *lesson) {
+    bool is_valid = lesson->question_count <= LESSON_QUESTIONS_MAXIMUM &&
+                    lesson->learnt_count <= LESSON_LEARNT_MAXIMUM;
+    for (size_t i = 0; is_valid && i < lesson->question_count; i++) {
+        is_valid = check_question(lesson, &lesson->questions[i]);
+    }
+    for (size_t i = 0; is_valid && i < lesson->learnt_count; i++) {
+        is_valid = check_texts(lesson, &lesson->learnt[i]);
+    }
+    return is_valid;
+}
+
+/** A step of this kind names nothing by its action. */
+static const size_t NO_ACTION = SIZE_MAX;
+
+/** @return Number of things of which a step of a kind names one by its action; or #NO_ACTION. */
+static size_t action_count_of(const Lesson *lesson, LessonStepKind kind, int command_count) {
+    switch (kind) {
+    case LESSON_PRESS:
+    case LESSON_RELEASE:
+        return (size_t)command_count;
+    case LESSON_DRAG:
+        return LESSON_LIGHTS_MAXIMUM;
+    case LESSON_RAY:
+        return LESSON_RAYS_MAXIMUM;
+    case LESSON_ASK:
+    case LESSON_EXPLAIN:
+        return lesson->question_count;
+    default:
+        return NO_ACTION;
+    }
+}
+
+/** @return Whether the action of a step is one of those that its kind may name. */
+static bool check_action(const Lesson *lesson, const LessonStep *step, int command_count) {
+    size_t count = action_count_of(lesson, step->kind, command_count);
+    return count == NO_ACTION || (step->action >= 0 && (size_t)step->action < count);
+}
+
+/** @return Whether the numbers of a step are in range: lengths of the scene, or others. */
+static bool check_numbers(const LessonStep *step) {
+    double maximum = step->kind == LESSON_DRAG ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum;
+}
+
 /** @return Whether a step is valid. @param time Time of the step before. */
 static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t time,
                        int action_count) {
-    bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
     return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
-           (!has_action || (step->action >= 0 && step->action < action_count)) &&
-           fabs(step->x) <= STEP_VALUE_MAXIMUM && fabs(step->y) <= STEP_VALUE_MAXIMUM &&
-           check_text(lesson, step->text.english) && check_text(lesson, step->text.french) &&
-           check_flag(&step->waits_for_viewer);
+           check_action(lesson, step, action_count) && check_numbers(step) &&
+           check_texts(lesson, &step->text) && untrusted_is_bool(&step->waits_for_viewer);
 }
 
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error) {
@@ -120,8 +200,8 @@ bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error 
                     lesson_block_size(lesson) == size && lesson->count <= LESSON_STEPS_MAXIMUM &&
                     memchr(lesson->scene, '\0', sizeof lesson->scene) &&
                     (lesson->text_used == 0 || lesson->text[lesson->text_used - 1] == '\0') &&
-                    check_text(lesson, lesson->title.english) &&
-                    check_text(lesson, lesson->title.french) && check_settings(lesson);
+                    check_texts(lesson, &lesson->title) && check_settings(lesson) &&
+                    check_questions(lesson);
     int64_t time = 0;
     for (size_t i = 0; is_valid && i < lesson->count; i++) {
         is_valid = check_step(lesson, &lesson->steps[i], time, action_count);

@@ -2,6 +2,7 @@
  * @file
  * @brief Checks of a scene that another process has made.
  */
+#include "base/untrusted.h"
 #include "dioptre/sdf_tape.h"
 #include "scene/scene_arena.h"
 
@@ -23,6 +24,12 @@ typedef struct BlockCheck {
     unsigned char *claims;          /**< A bit for each granule: it has an owner. */
 } BlockCheck;
 
+/** @return Whether an object of some bytes, at least 1, lies in the block, aligned. */
+static bool is_placed(const BlockCheck *check, const void *pointer, size_t size) {
+    return untrusted_lies_in(check->start, check->used, pointer, size) &&
+           ((uintptr_t)pointer - (uintptr_t)check->start) % GRANULE == 0;
+}
+
 /**
  * Claims memory of the block for one owner.
  * @param pointer  Its address.
@@ -31,14 +38,13 @@ typedef struct BlockCheck {
  * @return false if it is not aligned, not in the block, or has an owner.
  */
 static bool claim(BlockCheck *check, const void *pointer, size_t count, size_t size) {
-    size_t start = (size_t)((uintptr_t)pointer - (uintptr_t)check->start);
     if (count == 0) {
         return true;
     }
-    if ((uintptr_t)pointer < (uintptr_t)check->start || start >= check->used ||
-        start % GRANULE != 0 || count > (check->used - start) / size) {
+    if (count > check->used / size || !is_placed(check, pointer, count * size)) {
         return false;
     }
+    size_t start = (size_t)((uintptr_t)pointer - (uintptr_t)check->start);
     size_t last = (start + count * size - 1) / GRANULE;
     for (size_t granule = start / GRANULE; granule <= last; granule++) {
         unsigned char *byte = &check->claims[granule / CHAR_BIT];
@@ -53,10 +59,10 @@ static bool claim(BlockCheck *check, const void *pointer, size_t count, size_t s
 
 /** Claims a string. @return false if it is not in the block, does not end, or has an owner. */
 static bool claim_string(BlockCheck *check, const char *string) {
-    size_t start = (size_t)((uintptr_t)string - (uintptr_t)check->start);
-    if ((uintptr_t)string < (uintptr_t)check->start || start >= check->used) {
+    if (!untrusted_lies_in(check->start, check->used, string, 1)) {
         return false;
     }
+    size_t start = (size_t)((uintptr_t)string - (uintptr_t)check->start);
     const char *end = memchr(string, '\0', check->used - start);
     return end && claim(check, string, (size_t)(end - string) + 1, 1);
 }
@@ -78,13 +84,6 @@ static bool claim_printed(BlockCheck *check, const char *string) {
     return true;
 }
 
-/** @return Whether a flag has one of the bytes of a bool. */
-static bool check_flag(const void *flag) {
-    unsigned char byte;
-    memcpy(&byte, flag, sizeof byte);
-    return byte <= 1;
-}
-
 /** @return Whether all of some numbers are finite. */
 static bool check_finite(const double *numbers, size_t count) {
     for (size_t i = 0; i < count; i++) {
@@ -99,10 +98,8 @@ static bool check_finite(const double *numbers, size_t count) {
 static bool check_field(BlockCheck *check, const void *value) {
     const Sdf *field;
     memcpy(&field, value, sizeof field);
-    size_t start = (size_t)((uintptr_t)field - (uintptr_t)check->start);
-    bool has_head = (uintptr_t)field >= (uintptr_t)check->start && start < check->used &&
-                    start % GRANULE == 0 && sizeof *field <= check->used - start;
-    return has_head && field->node_count >= 1 && field->node_count <= SDF_NODES_MAXIMUM &&
+    return is_placed(check, field, sizeof *field) && field->node_count >= 1 &&
+           field->node_count <= SDF_NODES_MAXIMUM &&
            claim(check, field, 1, sdf_size(field->node_count)) && sdf_check(field);
 }
 
@@ -156,7 +153,7 @@ static bool check_discrete(BlockCheck *check, const Parameter *row, const char *
         memcpy(&index, value, sizeof index);
         return index <= check->scene->texture_count;
     case PARAMETER_BOOLEAN:
-        return check_flag(value);
+        return untrusted_is_bool(value);
     case PARAMETER_SDF:
         return check_field(check, value);
     default:
@@ -249,11 +246,9 @@ static bool check_file(BlockCheck *check, const SceneFile *file) {
  */
 static bool check_built_mesh(BlockCheck *check, const Mesh *built) {
     Mesh *mesh = (Mesh *)(uintptr_t)built;
-    size_t start = (size_t)((uintptr_t)mesh - (uintptr_t)check->start);
-    bool has_head = (uintptr_t)mesh >= (uintptr_t)check->start && start < check->used &&
-                    start % GRANULE == 0 && sizeof *mesh <= check->used - start &&
-                    mesh->position_count <= UINT32_MAX && mesh->normal_count <= UINT32_MAX &&
-                    mesh->uv_count <= UINT32_MAX && mesh->triangle_count <= UINT32_MAX;
+    bool has_head = is_placed(check, mesh, sizeof *mesh) && mesh->position_count <= UINT32_MAX &&
+                    mesh->normal_count <= UINT32_MAX && mesh->uv_count <= UINT32_MAX &&
+                    mesh->triangle_count <= UINT32_MAX;
     if (!has_head || !claim(check, mesh, 1, mesh_block_size(mesh))) {
         return false;
     }
@@ -284,8 +279,8 @@ static bool check_files(BlockCheck *check) {
 /** @return Whether the parts of the scene that are no arrays are valid. */
 static bool check_head(BlockCheck *check) {
     const Scene *scene = check->scene;
-    return check_flag(&scene->has_camera) && scene->has_camera &&
-           check_flag(&scene->is_time_dependent) &&
+    return untrusted_is_bool(&scene->has_camera) && scene->has_camera &&
+           untrusted_is_bool(&scene->is_time_dependent) &&
            check_values(check, &scene_camera_keyword, &scene->camera) &&
            isfinite(scene->camera.target_distance) &&
            check_values(check, &scene_image_keyword, &scene->image) &&

@@ -13,6 +13,7 @@
 
 #include <errno.h>
 #include <lauxlib.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -24,6 +25,7 @@ static const double TIME_MAXIMUM = 1e9;
 typedef enum {
     ROW_SCENE,   /**< File of the scene. */
     ROW_TITLE,   /**< Title. */
+    ROW_LEARNT,  /**< What the lesson teaches. */
     ROW_ENGINE,  /**< Engine. */
     ROW_SIZE,    /**< Size of the window. */
     ROW_NUMBERS, /**< First of the rows that #read_fields reads. */
@@ -32,6 +34,7 @@ typedef enum {
 /** Fields of `lesson`. Rows before #ROW_NUMBERS are read in this file; their types are unused. */
 static const Parameter lesson_parameters[] = {[ROW_SCENE] = {.name = "scene"},
                                               [ROW_TITLE] = {.name = "title"},
+                                              [ROW_LEARNT] = {.name = "learnt"},
                                               [ROW_ENGINE] = {.name = "engine"},
                                               [ROW_SIZE] = {.name = "size",
                                                             .type = PARAMETER_UV,
@@ -72,7 +75,22 @@ static const Parameter caption_parameters[] = {
 /** `caption`, for errors about its fields. */
 static const Keyword caption_keyword = {.name = "caption", .parameters = caption_parameters};
 
-/** Fields of a title. */
+/** Rows of #ask_parameters that #read_value reads. */
+enum { ASK_ROW_RIGHT = 3 };
+/** Fields of `ask`. */
+static const Parameter ask_parameters[] = {{.name = "en"},
+                                           {.name = "fr"},
+                                           {.name = "choices"},
+                                           [ASK_ROW_RIGHT] = {.name = "right",
+                                                              .type = PARAMETER_INTEGER,
+                                                              .minimum = 1,
+                                                              .maximum = LESSON_CHOICES_MAXIMUM},
+                                           {.name = "because"},
+                                           {0}};
+/** `ask`, for errors about its fields. */
+static const Keyword ask_keyword = {.name = "ask", .parameters = ask_parameters};
+
+/** Fields of a text. */
 static const Parameter text_parameters[] = {{.name = "en"}, {.name = "fr"}, {0}};
 
 /**
@@ -136,18 +154,54 @@ static LessonText read_lesson_text(lua_State *L, int index, const char *name, Le
     return text;
 }
 
+/** Reads a text whose table may have no other fields. See #read_lesson_text. */
+static LessonText read_plain_text(lua_State *L, int index, const char *name, Lesson *lesson) {
+    const Keyword keyword = {.name = name, .parameters = text_parameters};
+    const Keyword *const keywords[] = {&keyword, NULL};
+    if (lua_istable(L, index)) {
+        read_check_table(L, index, keywords, NULL);
+    }
+    return read_lesson_text(L, index, name, lesson);
+}
+
 /** Reads the title. @param L The state, with the lesson's table first. */
 static void read_title(lua_State *L, Lesson *lesson) {
-    static const Keyword title = {.name = "title", .parameters = text_parameters};
-    static const Keyword *const keywords[] = {&title, NULL};
     if (lua_getfield(L, 1, "title") != LUA_TNIL) {
-        int index = lua_gettop(L);
-        if (lua_istable(L, index)) {
-            read_check_table(L, index, keywords, NULL);
-        }
-        lesson->title = read_lesson_text(L, index, "title", lesson);
+        lesson->title = read_plain_text(L, lua_gettop(L), "title", lesson);
     }
     lua_pop(L, 1);
+}
+
+/**
+ * Reads a list of texts, the field of a table; raises an error if it has too few or too many.
+ * @param L        The state, with the table first.
+ * @param name     Name of the field.
+ * @param minimum  Least number of texts; 0: the field may be missing.
+ * @param maximum  Most texts.
+ * @param lesson   The lesson, which owns the copies.
+ * @param texts    The texts; has room for #maximum.
+ * @return Number of texts.
+ */
+static int read_texts(lua_State *L, const char *name, int minimum, int maximum, Lesson *lesson,
+                      LessonText *texts) {
+    const Parameter row = {.name = name};
+    bool is_given = lua_getfield(L, 1, name) != LUA_TNIL;
+    int list = lua_gettop(L);
+    if ((is_given || minimum > 0) && !lua_istable(L, list)) {
+        read_type_error(L, list, &row, N_("a list"));
+    }
+    lua_Unsigned count = is_given ? lua_rawlen(L, list) : 0;
+    if (count < (lua_Unsigned)minimum || count > (lua_Unsigned)maximum) {
+        lua_error_tr(L, "%s must be a list of %d to %d texts, not of %d", name, minimum, maximum,
+                     count > INT_MAX ? INT_MAX : (int)count);
+    }
+    for (int i = 0; i < (int)count; i++) {
+        lua_geti(L, list, i + 1);
+        texts[i] = read_plain_text(L, lua_gettop(L), name, lesson);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return (int)count;
 }
 
 /** Reads the window's size. @param L The state, with the lesson's table first. */
@@ -190,6 +244,8 @@ void lesson_fields_read(lua_State *L, Lesson *lesson) {
     }
     read_size(L, &lesson->initial_settings);
     read_title(L, lesson);
+    lesson->learnt_count =
+        (size_t)read_texts(L, "learnt", 0, LESSON_LEARNT_MAXIMUM, lesson, lesson->learnt);
     lesson->initial_settings.engine = read_text_field(L, 1, "engine", lesson);
     read_scene(L, lesson);
 }
@@ -204,4 +260,23 @@ void lesson_fields_read_caption(lua_State *L, Lesson *lesson, LessonStep *step) 
         lua_pop(L, 1);
     }
     step->text = read_lesson_text(L, 1, "caption", lesson);
+}
+
+void lesson_fields_read_question(lua_State *L, Lesson *lesson, LessonQuestion *question) {
+    static const Keyword *const keywords[] = {&ask_keyword, NULL};
+    read_check_arguments(L, keywords, NULL);
+    question->text = read_lesson_text(L, 1, "ask", lesson);
+    question->choice_count = read_texts(L, "choices", LESSON_CHOICES_MINIMUM,
+                                        LESSON_CHOICES_MAXIMUM, lesson, question->choices);
+    lua_getfield(L, 1, "right");
+    read_value(L, lua_gettop(L), &ask_parameters[ASK_ROW_RIGHT], &question->right);
+    lua_pop(L, 1);
+    if (question->right > question->choice_count) {
+        lua_error_tr(L, "right must be at most %d, the number of choices, not %d",
+                     question->choice_count, question->right);
+    }
+    question->right--; // Lua counts from 1.
+    lua_getfield(L, 1, "because");
+    question->because = read_plain_text(L, lua_gettop(L), "because", lesson);
+    lua_pop(L, 1);
 }

@@ -25,4 +25,13 @@ void lesson_fields_read(lua_State *L, Lesson *lesson);
  */
 void lesson_fields_read_caption(lua_State *L, Lesson *lesson, LessonStep *step);
 
+/**
+ * Reads the table of `ask`: `{ en = ..., fr = ..., choices = {...}, right = 1, because = ... }`.
+ * Raises an error for anything else.
+ * @param L               The state; the table is the only argument.
+ * @param[in,out] lesson  The lesson, which owns the texts.
+ * @param question        The question to fill.
+ */
+void lesson_fields_read_question(lua_State *L, Lesson *lesson, LessonQuestion *question);
+
 #endif

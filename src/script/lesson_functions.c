@@ -22,8 +22,6 @@ static const double SPEED_MAXIMUM = 1000;
 static const double SPEED_MINIMUM = 0.001;
 /** Largest rotation of the camera in one step, degrees. */
 static const double TURN_MAXIMUM = 360;
-/** Largest number of a light. */
-static const double LIGHT_NUMBER_MAXIMUM = 1e6;
 /** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
@@ -47,6 +45,16 @@ static void add_step(lua_State *L, LessonStep step) {
     step.time = builder->time;
     if (!lesson_add(builder->lesson, &step, &error)) {
         lua_error_tr(L, "%s", error.message);
+    }
+}
+
+/** Ends what the last question has asked to watch: its answer is shown here. */
+static void explain_question(lua_State *L) {
+    LessonBuilder *builder = current_builder(L);
+    if (builder->is_asking) {
+        builder->is_asking = false;
+        add_step(L, (LessonStep){.kind = LESSON_EXPLAIN,
+                                 .action = (int)builder->lesson->question_count - 1});
     }
 }
 
@@ -131,7 +139,27 @@ static int call_caption(lua_State *L) {
     check_argument_count(L, 1, 1, "caption { en = \"...\", fr = \"...\", wait = true }");
     LessonStep step = {.kind = LESSON_CAPTION};
     lesson_fields_read_caption(L, current_builder(L)->lesson, &step);
+    explain_question(L);
     add_step(L, step);
+    return 0;
+}
+
+/**
+ * `ask { en = ..., fr = ..., choices = {...}, right = 1, because = ... }`. See lua_CFunction.
+ * @return 0
+ */
+static int call_ask(lua_State *L) {
+    LessonQuestion question = {0};
+    Error error = {0};
+    check_argument_count(L, 1, 1,
+                         "ask { en = \"...\", choices = {...}, right = 1, because = \"...\" }");
+    LessonBuilder *builder = current_builder(L);
+    lesson_fields_read_question(L, builder->lesson, &question);
+    explain_question(L);
+    if (!lesson_add_question(builder->lesson, &question, builder->time, &error)) {
+        lua_error_tr(L, "%s", error.message);
+    }
+    builder->is_asking = true;
     return 0;
 }
 
@@ -222,6 +250,15 @@ static int call_walk(lua_State *L) {
     return 0;
 }
 
+/** `ray(NUMBER)`: chooses one of the rays that are shown. See lua_CFunction. @return 0 */
+static int call_ray(lua_State *L) {
+    check_argument_count(L, 1, 1, "ray(NUMBER)");
+    LessonStep step = {.kind = LESSON_RAY};
+    step.action = (int)read_number(L, 1, "ray", 0, LESSON_RAYS_MAXIMUM - 1);
+    add_step(L, step);
+    return 0;
+}
+
 /** `bar(SHARE)`, a fraction of the window's width. See lua_CFunction. @return 0 */
 static int call_bar(lua_State *L) {
     check_argument_count(L, 1, 1, "bar(SHARE)");
@@ -233,7 +270,7 @@ static int call_bar(lua_State *L) {
 static int call_drag(lua_State *L) {
     check_argument_count(L, 4, 4, "drag(LIGHT, X, Y, Z)");
     LessonStep step = {.kind = LESSON_DRAG};
-    step.action = (int)read_number(L, 1, "drag", 1, LIGHT_NUMBER_MAXIMUM) - 1;
+    step.action = (int)read_number(L, 1, "drag", 1, LESSON_LIGHTS_MAXIMUM) - 1;
     step.x = read_number(L, 2, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.y = read_number(L, 3, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     step.z = read_number(L, 4, "drag", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
@@ -251,19 +288,21 @@ static int call_snapshot(lua_State *L) {
 /** Adds the functions of lessons to a state. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
-        {"lesson", call_lesson}, {"caption", call_caption}, {"wait", call_wait},
-        {"press", call_press},   {"release", call_release}, {"hold", call_hold},
-        {"speed", call_speed},   {"turn", call_turn},       {"zoom", call_zoom},
-        {"size", call_size},     {"pixel", call_pixel},     {"walk", call_walk},
-        {"bar", call_bar},       {"drag", call_drag},       {"snapshot", call_snapshot}};
+        {"lesson", call_lesson},    {"caption", call_caption}, {"wait", call_wait},
+        {"press", call_press},      {"release", call_release}, {"hold", call_hold},
+        {"speed", call_speed},      {"turn", call_turn},       {"zoom", call_zoom},
+        {"size", call_size},        {"pixel", call_pixel},     {"walk", call_walk},
+        {"ray", call_ray},          {"bar", call_bar},         {"drag", call_drag},
+        {"ask", call_ask},          {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }
 }
 
-/** Raises an error if the file contains no lesson. See #ScriptDialect.check. */
+/** Raises an error if the file contains no lesson; explains its last question. See
+ *  #ScriptDialect.check. */
 static void check_lesson(lua_State *L) {
-    current_builder(L);
+    explain_question(L);
 }
 
 const ScriptDialect lesson_dialect = {.open = register_functions, .check = check_lesson};

@@ -12,6 +12,7 @@ struct LessonBuilder {
     Lesson *lesson;             /**< The lesson to fill. */
     const ActionNames *actions; /**< Names of all actions. */
     int64_t time;               /**< Time of the next step, milliseconds. */
+    bool is_asking;             /**< Whether the last question waits for its explanation. */
 };
 
 /** The functions that a lesson may use. */

@@ -8,6 +8,7 @@
 #include "script/lua_error.h"
 #include "script/object_names.h"
 #include "script/ordered_pairs.h"
+#include "script/registry_table.h"
 #include "script/sanitize.h"
 #include "script/script_question.h"
 #include "script/script_run.h"
@@ -81,24 +82,56 @@ static int library_randomseed(lua_State *L) {
     return 0;
 }
 
+/** Key in the registry: all metatables that a run has set. */
+static const char set_metatables;
+
+/** Raises the error of a metatable that makes tables weak. */
+static int fail_weak(lua_State *L) {
+    return lua_error_tr(L, "a scene may not use __mode: nobody knows when such a table would lose "
+                           "its items");
+}
+
+/** @return Whether a table has a field, whatever its metatable. @param index Its stack index. */
+static bool has_raw_field(lua_State *L, int index, const char *name) {
+    lua_pushstring(L, name);
+    bool is_found = lua_rawget(L, index) != LUA_TNIL;
+    lua_pop(L, 1);
+    return is_found;
+}
+
+void library_check_metatables(lua_State *L) {
+    registry_table_push(L, &set_metatables, false);
+    int all = lua_gettop(L);
+    lua_pushnil(L);
+    while (lua_next(L, all)) {
+        lua_pop(L, 1);
+        if (has_raw_field(L, lua_gettop(L), "__mode")) {
+            fail_weak(L);
+        }
+    }
+    lua_pop(L, 1);
+}
+
 /**
  * `setmetatable`, without `__gc` and `__mode`: the time of garbage collection is not reproducible.
- * See lua_CFunction.
+ * Lua ignores a `__gc` that is set later; #library_check_metatables finds a later `__mode`. See
+ * lua_CFunction.
  * @param L  The state; the function of Lua's library is the first upvalue.
  * @return 1: the table.
  */
 static int library_setmetatable(lua_State *L) {
     lua_settop(L, 2);
     if (lua_istable(L, 2)) {
-        lua_pushliteral(L, "__gc");
-        if (lua_rawget(L, 2) != LUA_TNIL) {
+        if (has_raw_field(L, 2, "__gc")) {
             return lua_error_tr(L, "a scene may not use __gc: nobody knows when it would run");
         }
-        lua_pushliteral(L, "__mode");
-        if (lua_rawget(L, 2) != LUA_TNIL) {
-            return lua_error_tr(L, "a scene may not use __mode: nobody knows when such a table "
-                                   "would lose its items");
+        if (has_raw_field(L, 2, "__mode")) {
+            return fail_weak(L);
         }
+        registry_table_push(L, &set_metatables, false);
+        lua_pushvalue(L, 2);
+        lua_pushboolean(L, true);
+        lua_rawset(L, -3);
         lua_settop(L, 2);
     }
     return lua_tocfunction(L, lua_upvalueindex(1))(L);

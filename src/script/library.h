@@ -16,6 +16,13 @@
 void library_open(lua_State *L);
 
 /**
+ * Raises an error if a metatable has become one that makes tables weak after it was set: such a
+ * table may have lost items at any time. To be called after a run.
+ * @param L  The state.
+ */
+void library_check_metatables(lua_State *L);
+
+/**
  * Makes unknown keys of a table raise errors.
  * @param L          The state, with the table on top.
  * @param name       Its name; empty for the globals.

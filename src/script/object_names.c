@@ -5,6 +5,7 @@
 #include "script/object_names.h"
 
 #include "script/lua_error.h"
+#include "script/registry_table.h"
 #include "script/script_sandbox.h"
 
 #include <lauxlib.h>
@@ -28,24 +29,9 @@ static bool has_address(lua_State *L, int index) {
     }
 }
 
-/** Pushes the numbers of objects: a table that does not keep the objects alive. */
-static void push_numbers(lua_State *L) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &object_numbers) == LUA_TTABLE) {
-        return;
-    }
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_createtable(L, 0, 1);
-    lua_pushliteral(L, "k");
-    lua_setfield(L, -2, "__mode");
-    lua_setmetatable(L, -2);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &object_numbers);
-}
-
 /** @return Number of an object, from 1, in the order of first questions. */
 static lua_Integer number_of(lua_State *L, int index) {
-    push_numbers(L);
+    registry_table_push(L, &object_numbers, true); // It does not keep the objects alive.
     lua_pushvalue(L, index);
     if (lua_rawget(L, -2) != LUA_TNUMBER) {
         lua_pushvalue(L, index);

@@ -5,6 +5,7 @@
 #include "script/ordered_pairs.h"
 
 #include "script/lua_error.h"
+#include "script/registry_table.h"
 
 #include <lauxlib.h>
 #include <stdbool.h>
@@ -294,17 +295,7 @@ static void push_first_key(lua_State *L) {
 
 /** Pushes the tables that `next` walks through. They may be collected meanwhile. */
 static void push_walked_tables(lua_State *L) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &walked_tables) == LUA_TTABLE) {
-        return;
-    }
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_createtable(L, 0, 1);
-    lua_pushliteral(L, "k");
-    lua_setfield(L, -2, "__mode");
-    lua_setmetatable(L, -2);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &walked_tables);
+    registry_table_push(L, &walked_tables, true);
 }
 
 /** Sets or forgets the sorted keys of the table, which are on top of the stack, or nil. */

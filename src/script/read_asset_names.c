@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
+#include "script/registry_table.h"
 #include "script/sanitize.h"
 #include "script/script_question.h"
 #include "script/script_run.h"
@@ -46,12 +47,7 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
 
 /** Pushes the names of a kind that the scene has used, with the indices of their files. */
 static void push_known_names(lua_State *L, const AssetKind *kind) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, kind) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, kind);
-    }
+    registry_table_push(L, kind, false);
 }
 
 /** @return Whether the scene has used the name on top of the stack. @param[out] place Its file. */

@@ -47,6 +47,13 @@ static bool print_text(ScriptResponder *responder, const char *text) {
     return true;
 }
 
+/** @return Whether what runs may ask for such a file: a taken-over worker asks for any. */
+static bool may_ask(const ScriptResponder *responder, int kind) {
+    bool is_file_of_scene = kind == SCRIPT_ASK_INCLUDE || kind == SCRIPT_ASK_ASSET;
+    return responder->is_lesson ? kind == SCRIPT_ASK_SCENE && !responder->has_scene
+                                : is_file_of_scene;
+}
+
 /** Finds a file of a scene, and keeps it open if it is to be included. */
 static void find_file(ScriptResponder *responder, const ScriptQuestion *question,
                       WorkerResponse *response) {
@@ -64,6 +71,7 @@ static void find_file(ScriptResponder *responder, const ScriptQuestion *question
 /** Finds the scene of a lesson, relative to the folder of the lesson. */
 static void find_scene(ScriptResponder *responder, const char *name) {
     ScriptAnswer *answer = &responder->answer;
+    responder->has_scene = true;
     const char *path = responder->request->path, *slash = strrchr(path, '/');
     int dir_length = slash && name[0] != '/' ? (int)(slash + 1 - path) : 0;
     int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s", dir_length, path, name);
@@ -90,12 +98,15 @@ bool script_question_answer(void *context, const void *bytes, size_t size,
     if (question.kind == SCRIPT_ASK_PRINT) {
         return print_text(responder, question.text);
     }
+    if (!may_ask(responder, question.kind)) {
+        return false;
+    }
     if (question.kind == SCRIPT_ASK_SCENE) {
         find_scene(responder, question.text);
-        return true;
+    } else {
+        find_file(responder, &question, response);
     }
-    find_file(responder, &question, response);
-    return question.kind == SCRIPT_ASK_INCLUDE || question.kind == SCRIPT_ASK_ASSET;
+    return true;
 }
 
 // --- in the worker -------------------------------------------------------------------------------

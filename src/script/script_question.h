@@ -41,6 +41,8 @@ enum { SCRIPT_PRINT_MAXIMUM = 65536 };
 /** The program's side of the questions of a run. */
 typedef struct ScriptResponder {
     const ScriptRequest *request; /**< The request. */
+    bool is_lesson;               /**< Whether a lesson runs: it has a scene, and no other file. */
+    bool has_scene;               /**< Whether the lesson has asked for its scene: it has one. */
     size_t bytes_printed;         /**< Number of bytes that the run printed. */
     ScriptAnswer answer;          /**< The last answer. */
 } ScriptResponder;

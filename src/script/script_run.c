@@ -43,6 +43,7 @@ static int run_protected(lua_State *L) {
     ScriptText text = *run->text;
     script_sandbox_load(L, &text, run->request->path, script_result_base_name(run->request->path));
     lua_call(L, 0, 0);
+    library_check_metatables(L);
     run->dialect->check(L);
     return 0;
 }

@@ -120,7 +120,7 @@ bool script_worker_run(const ScriptCall *call, size_t *block_size, Error *error)
     bool is_good = bytes || error_set(error, STATUS_FAILED, "no memory to run a scene");
     if (is_good) {
         const WorkerMonitor monitor = {.stop = request->stop};
-        ScriptResponder responder = {.request = request};
+        ScriptResponder responder = {.request = request, .is_lesson = call->actions};
         const WorkerReply reply =
             worker_process_call_once(&(WorkerCall){.program = request->worker,
                                                    .task = call->task,

@@ -18,8 +18,8 @@
 typedef struct ScriptCall {
     const ScriptRequest *request; /**< The request. */
     const char *task;             /**< One of the names of tasks. */
-    const ScriptText *text;     /**< Names of the actions of lessons; NULL: the text is a scene. */
-    const ActionNames *actions; /**< What a lesson can name; NULL: it is a scene. */
+    const ScriptText *text;       /**< The text. */
+    const ActionNames *actions;   /**< What a lesson can name; NULL: the text is a scene. */
     void *block; /**< Memory for the scene or lesson. The worker creates it at the same address, so
                     that its pointers are valid here. */
     size_t capacity; /**< Bytes of #block. */

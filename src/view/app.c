@@ -71,11 +71,11 @@ void app_show_notes(App *app) {
 /* --- time ------------------------------------------------------------------------------------- */
 
 bool app_is_playing(const App *app) {
-    return app->player.lesson != NULL;
+    return app->player.lesson && app->player.state != PLAYER_IS_FINISHED;
 }
 
 bool app_is_lesson_stopped(const App *app) {
-    return app->player.is_paused || app->player.is_capturing;
+    return app->player.state != PLAYER_RUNS;
 }
 
 bool app_is_recording(const App *app) {
@@ -116,8 +116,8 @@ void app_on_view_changed(App *app) {
 }
 
 void app_move(App *app, Movement light, Movement camera) {
-    if (app->window.inspector.is_open && movement_is_nonzero(camera)) {
-        inspector_move(&app->window.inspector, camera);
+    if (app->window.ray_view.is_open && movement_is_nonzero(camera)) {
+        ray_view_move(&app->window.ray_view, camera);
         camera = (Movement){0};
         if (!movement_is_nonzero(light)) {
             latency_discard_pending(&app->window.latency);
@@ -148,8 +148,8 @@ void app_drag_light(App *app, size_t light, Vec3d offset) {
 }
 
 void app_turn(App *app, double right, double up) {
-    if (app->window.inspector.is_open) {
-        inspector_turn(&app->window.inspector, right, up);
+    if (app->window.ray_view.is_open) {
+        ray_view_turn(&app->window.ray_view, right, up);
         return;
     }
     scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
@@ -158,8 +158,8 @@ void app_turn(App *app, double right, double up) {
 }
 
 void app_zoom(App *app, double notches) {
-    if (app->window.inspector.is_open) {
-        inspector_move(&app->window.inspector, (Movement){.forward = notches * FORWARD_PER_NOTCH});
+    if (app->window.ray_view.is_open) {
+        ray_view_move(&app->window.ray_view, (Movement){.forward = notches * FORWARD_PER_NOTCH});
         return;
     }
     scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
@@ -168,18 +168,32 @@ void app_zoom(App *app, double notches) {
 }
 
 void app_pick_pixel(App *app, double x, double y) {
-    inspector_pick(&app->window.inspector, x, y);
+    ray_view_pick(&app->window.ray_view, x, y);
 }
 
 void app_step_pixel(App *app, int right, int down) {
-    inspector_step_pixel(&app->window.inspector, right, down);
+    ray_view_step_pixel(&app->window.ray_view, right, down);
+}
+
+void app_choose_ray(App *app, size_t ray) {
+    ray_view_choose_ray(&app->window.ray_view, ray);
 }
 
 void app_reset_view(App *app) {
-    inspector_reset_camera(&app->window.inspector);
+    ray_view_reset_camera(&app->window.ray_view);
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
+}
+
+void app_restart_view(App *app, double time) {
+    held_keys_clear(&app->input.held_keys);
+    app->input.camera_motion = MOTION_FLY;
+    app->timeline = (Timeline){.time = time};
+    window_reset_overrides(&app->window);
+    window_set_layer(&app->window, LAYER_SHADED);
+    app_reset_view(app);
+    ray_view_reset(&app->window.ray_view);
 }
 
 /** Writes the settings of the active picture. */

@@ -8,13 +8,11 @@
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture)
  *     gui/        buttons, lists and marks: a C header over Dear ImGui
  *     loading/    threads: the scene loader, the list of scenes, the file watcher
- *     panels/     what lies over the picture: bar, help, hud, inspector, captions, list of scenes
- *     window.h    the viewports and panels of one window
- *     app.h       all of that with scene, time, lesson and input: this file
- *     commands/   the table of commands, what they do, the scene on screen, the recorder
- *     lesson/     the player: it issues commands
- *     input/      keyboard, mouse, window events: they issue commands
- *     view.c      the event loop
+ *     panels/     what lies over the picture: bar, help, hud, view of rays, captions, list of
+ * scenes window.h    the viewports and panels of one window app.h       all of that with scene,
+ * time, lesson and input: this file commands/   the table of commands, what they do, the scene on
+ * screen, the recorder lesson/     the player: it issues commands input/      keyboard, mouse,
+ * window events: they issue commands view.c      the event loop
  *
  * test_view checks this list against the `#include` lines.
  */
@@ -51,6 +49,9 @@ typedef struct SceneSource {
     char path[PATH_MAX];        /**< File of the scene on screen, or `-`. */
     char name[SCENE_NAME_SIZE]; /**< Its name, for the title and the snapshots. */
     Scene *owned;               /**< The scene on screen; NULL: it is the first, the caller's. */
+    Lesson *lesson;             /**< The lesson that was loaded with it and waits for the player;
+                                     owned; NULL: none. */
+    char lesson_path[PATH_MAX]; /**< Its file. */
     SceneLoader loader;         /**< Loads the next scene. */
     FileWatcher watcher;        /**< Reports that the file was written. */
     bool is_file_changed;       /**< Whether it was, since the last request. */
@@ -73,14 +74,34 @@ typedef struct InputState {
     size_t dragged_light;    /**< Index of that light. */
 } InputState;
 
+/** What a lesson does. */
+typedef enum {
+    PLAYER_RUNS,       /**< Its clock runs. */
+    PLAYER_WAITS,      /**< It waits for Space. */
+    PLAYER_ASKS,       /**< It waits for an answer. */
+    PLAYER_CAPTURES,   /**< It waits for the finished picture, to save it. */
+    PLAYER_IS_FINISHED /**< It is over: its end card is shown. */
+} PlayerState;
+
 /** A lesson that plays. Starts as `{0}`: none. */
 typedef struct Player {
-    const Lesson *lesson;     /**< The lesson; NULL: none. */
-    StepClock step_clock;     /**< Its clock. */
-    size_t next_step;         /**< Index of its next step. */
+    const Lesson *lesson;       /**< The lesson; NULL: none. */
+    Lesson *owned;              /**< The same, if it was opened in the window; owned. */
+    char path[PATH_MAX];        /**< Its file. */
+    char name[SCENE_NAME_SIZE]; /**< Its name, for its pictures and answers. */
+    char next_path[PATH_MAX];   /**< File of the lesson after it, once it is finished; empty:
+                                     none. */
+    PlayerState state;          /**< What it does. */
+    StepClock step_clock;       /**< Its clock. */
+    size_t next_step;           /**< Index of its next step. */
+    size_t stop;                /**< Index of the caption, question or explanation on screen;
+                                     #LESSON_STEPS_MAXIMUM: none yet. */
+    size_t repeat_end;          /**< Steps up to this index are done at once, without stops; 0:
+                                     none. */
+    int answers[LESSON_QUESTIONS_MAXIMUM]; /**< Chosen answers, from 1; 0: none yet. */
+    double initial_time;                   /**< The scene's time at its beginning, seconds. */
     double start_time;        /**< When its clock was 0, seconds on #clock_now_seconds. */
-    bool is_paused;           /**< Whether it waits for Space. */
-    bool is_capturing;        /**< Whether it waits for the finished picture, to save it. */
+    bool is_leaving;          /**< Whether the viewer has asked to end it. */
     ViewState paused_view;    /**< Camera and lights when it was paused; owned. */
     size_t paused_light;      /**< The selected light at that time. */
     Timeline paused_timeline; /**< The scene's time at that time. */
@@ -152,7 +173,7 @@ void app_show_notes(App *app);
 
 /* --- time ------------------------------------------------------------------------------------- */
 
-/** @return Whether a lesson plays. */
+/** @return Whether a lesson plays, and is not over. */
 bool app_is_playing(const App *app);
 
 /** @return Whether a lesson plays and its clock is paused. */
@@ -202,8 +223,15 @@ void app_pick_pixel(App *app, double x, double y);
 /** Shows the rays of a pixel nearby. @param right Pixels to the right. @param down Pixels down. */
 void app_step_pixel(App *app, int right, int down);
 
+/** Chooses one of the rays that are shown. @param ray Its index. */
+void app_choose_ray(App *app, size_t ray);
+
 /** Puts camera and lights back where the scene file has them. */
 void app_reset_view(App *app);
+
+/** Puts back all that a lesson may change: view, settings, layer, rays, moves; pauses the time.
+ *  @param time The scene's time, seconds. */
+void app_restart_view(App *app, double time);
 
 /**
  * Saves the finished picture in a numbered file, and prints the view and the path.

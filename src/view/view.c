@@ -14,6 +14,7 @@
 #include "view/commands/recorder.h"
 #include "view/input/input.h"
 #include "view/input/signal_thread.h"
+#include "view/lesson/answer_file.h"
 #include "view/lesson/player.h"
 
 #include <libintl.h>
@@ -48,19 +49,28 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
-/** Runs the command that a button, a list or a slider requests, as its key would. */
-static void run_requested_command(App *app) {
-    Toolbar *toolbar = &app->window.toolbar;
-    const Command *command =
-        toolbar->command ? command_find(app->commands, toolbar->command) : NULL;
-    int repetitions = command ? toolbar->repetitions : 0;
-    for (int i = 0; i < repetitions; i++) {
+/** Runs a command by its name, as its key would. @param name NULL: does nothing. */
+static void run_command(App *app, const char *name, int repetitions) {
+    const Command *command = name ? command_find(app->commands, name) : NULL;
+    for (int i = 0; command && i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
             command_issue(app, command, clock_now_seconds());
         }
     }
+}
+
+/** Runs the command that a button, a list or a slider requests. */
+static void run_requested_command(App *app) {
+    Toolbar *toolbar = &app->window.toolbar;
+    RayViewRequest *rays = &app->window.ray_view.request;
+    run_command(app, toolbar->command, toolbar->repetitions);
+    run_command(app, rays->command, 1);
+    if (rays->has_ray && !app_is_playing(app)) {
+        command_choose_ray(app, rays->ray);
+    }
     // What frames in between have requested counted from a part of the change.
     toolbar->command = NULL;
+    *rays = (RayViewRequest){0};
 }
 
 /** Updates the title. */
@@ -70,10 +80,12 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    // Times and rays of other settings would be read as those of the new ones.
+    bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = app->source.name,
                             .width = viewport->width,
                             .height = viewport->height,
-                            .report = window->first_present_time > 0 ? &viewport->report : NULL,
+                            .report = has_report ? &viewport->report : NULL,
                             .time = app->scene->is_time_dependent ? &app->scene_time : NULL,
                             .is_running = app->timeline.is_running,
                             .is_recording = app_is_recording(app),
@@ -121,6 +133,7 @@ static void run_frame(App *app) {
         app_report_error(app, &error);
     }
     run_requested_command(app);
+    player_handle_request(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);
@@ -163,6 +176,9 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
         return error->status;
     }
     app_show_notes(app);
+    if (settings->answer_path && !answer_file_prepare(settings->answer_path, error)) {
+        return error->status;
+    }
     player_begin(app);
     while (!app->exit.is_requested) {
         run_frame(app);

@@ -30,7 +30,7 @@ bool window_open(Window *window, const Scene *scene, const RenderSettings *setti
 }
 
 void window_close(Window *window) {
-    inspector_deinit(&window->inspector);
+    ray_view_deinit(&window->ray_view);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         viewport_close(&window->viewports[i]);
     }
@@ -86,7 +86,7 @@ void window_set_layer(Window *window, Layer layer) {
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
     window->shows_settings = true;
-    viewport_override_setting(window_active_viewport(window), change, step);
+    viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
 void window_request_new_renderers(Window *window) {
@@ -118,6 +118,10 @@ void window_cycle_split(Window *window, int step) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
     }
+}
+
+bool window_awaits_second_picture(const Window *window) {
+    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
 }
 
 void window_swap_active(Window *window) {
@@ -167,7 +171,7 @@ bool window_update_renderers(Window *window, const Scene *scene, Error *error) {
             ok = viewport_update_renderer(&window->viewports[i], scene, &window->base_settings,
                                           error) &&
                  ok;
-            inspector_on_renderer_changed(&window->inspector);
+            ray_view_on_renderer_changed(&window->ray_view);
         }
     }
     return ok;
@@ -181,7 +185,7 @@ void window_on_pass(Window *window, const SDL_Event *event) {
             viewport_on_pass(&window->viewports[i]);
         }
     }
-    inspector_on_pass(&window->inspector, event);
+    ray_view_on_pass(&window->ray_view, event);
 }
 
 void window_on_visibility(Window *window) {
@@ -193,12 +197,12 @@ void window_on_visibility(Window *window) {
         }
     }
     if (window->is_hidden) {
-        inspector_stop(&window->inspector);
+        ray_view_stop(&window->ray_view);
     }
 }
 
 bool window_on_resize(Window *window) {
-    window->fitted_bar = window_area(window).y;
+    window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
         picture.w != window->viewports[0].width || picture.h != window->viewports[0].height;
@@ -218,7 +222,7 @@ void window_on_device_reset(Window *window) {
         streaming_texture_release(&window->viewports[i].texture);
         window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
     }
-    inspector_release_textures(&window->inspector);
+    ray_view_release_textures(&window->ray_view);
 }
 
 /* --- showing ---------------------------------------------------------------------------------- */
@@ -246,15 +250,11 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
-    bool is_difference = count > 1 && window->split.mode == SPLIT_DIFFERENCE;
     for (size_t i = 0; i < count; i++) {
         bool is_active = window->split.active == i;
         HudContent content = {.viewport = &window->viewports[i],
                               .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings,
-                              .hides_layer = is_difference,
-                              .difference =
-                                  is_difference && i == 0 ? &window->split.difference : NULL};
+                              .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
         hud_show(&window->huds[i], target);
     }
@@ -266,13 +266,13 @@ static void draw_pictures(Window *window) {
     OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
     SDL_Rect area = window_area(window);
     sdl_window_clear(&window->sdl);
-    if (window->inspector.is_open && !window->help.is_open) {
-        inspector_show(&window->inspector, &window_active_viewport(window)->texture, &target,
-                       &area);
+    if (window->ray_view.is_open && !window->help.is_open) {
+        ray_view_show(&window->ray_view, &window_active_viewport(window)->texture,
+                      window->sdl.renderer, &area);
     } else {
         draw_viewports(window);
     }
-    if (!window->help.is_open && !window->inspector.is_open) {
+    if (!window->help.is_open && !window->ray_view.is_open) {
         draw_huds(window, &target);
     }
     caption_show(&window->caption, &target);
@@ -295,7 +295,7 @@ void window_invalidate_text(Window *window) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         hud_invalidate(&window->huds[i]);
     }
-    inspector_invalidate(&window->inspector);
+    ray_view_invalidate(&window->ray_view);
 }
 
 void window_scale_text(Window *window, int steps) {
@@ -321,7 +321,7 @@ static bool start_invalidated(Window *window, const Scene *scene, double now, Er
         Viewport *viewport = &window->viewports[i];
         if (viewport->needs_restart && !viewport->awaits_first_frame) {
             latency_on_draw_started(&window->latency);
-            inspector_invalidate(&window->inspector);
+            ray_view_invalidate(&window->ray_view);
             ok = viewport_start(viewport, scene, picture.w, picture.h, now, error) && ok;
         }
     }
@@ -373,10 +373,10 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
     if (window_widgets_are_due(window, now)) {
         window_present(window);
     }
-    InspectorInput input = {window_active_viewport(window), scene, window->pass_event, now,
-                            window_area(window)};
-    bool ok = inspector_update(&window->inspector, &input, window->sdl.renderer, error);
-    if (window->inspector.needs_present) {
+    RayViewInput input = {window_active_viewport(window), scene, window->pass_event, now,
+                          window_area(window)};
+    bool ok = ray_view_update(&window->ray_view, &input, window->sdl.renderer, error);
+    if (window->ray_view.needs_present) {
         window_present(window);
     }
     return ok;
@@ -387,8 +387,8 @@ double window_timeout(const Window *window, double now) {
     for (size_t i = 0; !window->is_hidden && i < window_viewport_count(window); i++) {
         delay = fmin(delay, viewport_timeout(&window->viewports[i], now));
     }
-    if (window->inspector.is_open && !window->is_hidden) {
-        delay = fmin(delay, viewport_timeout(&window->inspector.viewport, now));
+    if (window->ray_view.is_open && !window->is_hidden) {
+        delay = fmin(delay, ray_view_timeout(&window->ray_view, now));
     }
     return delay;
 }
@@ -440,6 +440,7 @@ bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
+    window_show_screen_only(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -9,8 +9,9 @@
 #include "view/panels/caption.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
-#include "view/panels/inspector.h"
+#include "view/panels/lesson_panel.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/ray_view.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
@@ -52,16 +53,18 @@ typedef struct Window {
     Help help;                            /**< The help. */
     Notice notice;                        /**< The notice of an error. */
     Browser browser;                      /**< The list of scenes. */
-    Caption caption;                      /**< The caption of a lesson. */
-    Inspector inspector;                  /**< The rays of one pixel. */
+    Caption caption;                      /**< The caption that is typed. */
+    LessonPanel lesson_panel;             /**< The panel of a lesson. */
+    RayView ray_view;                      /**< The rays of one pixel. */
     Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
     bool opens_widgets;                   /**< Whether #gui is to be created. */
     Toolbar toolbar;                      /**< The bar at the upper edge. */
-    int fitted_bar;                       /**< Height of the bar that the window has room for,
-                                               pixels. */
+    int fitted_height;                    /**< Height of bar and lesson panel that the window has
+                                               room for, pixels. */
     LightMarks light_marks;               /**< The marks of the lights. */
     Toast toast;                          /**< The newest message. */
     Toast hint;                           /**< What to press, at the start. */
+    double next_progress_time;            /**< When a legend says next how far the work is. */
     WindowState state;                    /**< What they show. */
     double text_scale;                    /**< Factor of the size of letters; 0: 1. */
     Latency latency;                      /**< The latency from keys to pictures. */
@@ -110,6 +113,9 @@ void window_reset_overrides(Window *window);
 /** Changes the mode of the split view. @param step 1: the next; -1: the previous. */
 void window_cycle_split(Window *window, int step);
 
+/** @return Whether a second picture is wanted, and opens at the end of the frame. */
+bool window_awaits_second_picture(const Window *window);
+
 /** Makes the other viewport the active one. */
 void window_swap_active(Window *window);
 
@@ -136,6 +142,10 @@ bool window_picture_position(const Window *window, int x, int y, double *right, 
 /** @return The light whose mark is under the mouse; NULL: none. @param x Screen units. */
 const LightMark *window_light_at(const Window *window, int x, int y);
 
+/** Finds the ray under the mouse, while rays are shown. @param x Screen units. @param[out] ray Its
+ *  index. @return Whether there is one. */
+bool window_ray_at(const Window *window, int x, int y, size_t *ray);
+
 /** Finds how far a light moves while its mark is dragged. See #light_marks_drag_offset. */
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
@@ -143,8 +153,12 @@ bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPo
 /** @return The height of the toolbar, pixels. */
 int window_toolbar_height(const Window *window);
 
-/** @return The part of the window below the toolbar, pixels. */
+/** @return The part of the window for the picture: below the toolbar, beside the lesson panel,
+ *  pixels. */
 SDL_Rect window_area(const Window *window);
+
+/** @return Height of the window that bar and lesson panel take, pixels. */
+int window_used_height(const Window *window);
 
 /** Returns the size of that part. @param[out] width Screen units. */
 void window_size_below_toolbar(const Window *window, int *width, int *height);
@@ -158,14 +172,30 @@ void window_open_widgets(Window *window);
 /** Shows buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
 
+/** @return A rectangle of pixels in screen units. */
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
+
+/** Shows legends and rings: what belongs to a picture of the screen, too. */
+void window_show_values(const Window *window);
+
+/** Shows what belongs to a picture of the screen: legends, rings and rays, no buttons, no messages. */
+void window_show_screen_only(Window *window);
+
+/** Shows what the pixel under the mouse shows. */
+void window_show_readout(const Window *window);
+
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);
 
 /** @return Seconds until they change by themselves; see #window_timeout. */
 double window_widgets_timeout(const Window *window, double now);
 
-/** Lays the bar out again after a change of its words or letters: the picture keeps its size. */
+/** Lays bar and lesson panel out again after a change of their words or letters: the picture keeps
+ *  its size. */
 void window_relayout_toolbar(Window *window);
+
+/** Opens or closes the panel of a lesson. @param panel What it shows; without a lesson: closed. */
+void window_set_lesson_panel(Window *window, const LessonPanel *panel);
 
 /** Shows or hides the toolbar. */
 void window_toggle_toolbar(Window *window);

@@ -4,7 +4,6 @@
  */
 #include "view/window.h"
 
-#include "view/panels/pixel_readout.h"
 #include "view/window/font.h"
 
 #include <libintl.h>
@@ -22,6 +21,15 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
+/** Seconds between two numbers of how much of a reference there is. */
+static const double PROGRESS_SECONDS = 0.5;
+/** Width of the window beside the picture from which the lesson panel stands there, and not below,
+ *  in heights of letters. */
+static const double PANEL_WIDTH_MINIMUM = 12;
+/** Largest width of the lesson panel beside the picture, in heights of letters. */
+static const double PANEL_WIDTH_MAXIMUM = 20;
+/** Height of the lesson panel below the picture, in heights of letters. */
+static const double PANEL_HEIGHT = 8.5;
 /** How near to a light's mark the mouse takes hold of it, in heights of letters. */
 static const float MARK_REACH = 0.9F;
 
@@ -53,8 +61,8 @@ static double pixels_per_unit(const Window *window) {
 bool window_picture_position(const Window *window, int x, int y, double *right, double *down) {
     double scale = pixels_per_unit(window);
     SDL_Rect area = window_area(window);
-    SDL_Rect rect = window->inspector.is_open ? inspector_inset(&window->inspector, &area)
-                                              : window_picture_rect(window);
+    SDL_Rect rect = window->ray_view.is_open ? ray_view_layout(&window->ray_view, &area).inset
+                                             : window_picture_rect(window);
     *right = ((x + 0.5) * scale - rect.x) / rect.w;
     *down = ((y + 0.5) * scale - rect.y) / rect.h;
     return *right >= 0 && *right < 1 && *down >= 0 && *down < 1;
@@ -64,20 +72,62 @@ int window_toolbar_height(const Window *window) {
     return window->gui ? (int)((double)window->toolbar.height * pixels_per_unit(window) + 0.5) : 0;
 }
 
-SDL_Rect window_area(const Window *window) {
+/** Divides the window between picture and lesson panel: it stands beside the picture where there is
+ *  room, else below. @param[in,out] area The part below the toolbar; becomes that of the picture.
+ *  @return The part of the panel, pixels; empty: it is closed. */
+static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
+    const RenderSettings *settings = &window->base_settings;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_PER_WINDOW);
+    double beside = area->w - (double)area->h * settings->width / settings->height;
+    SDL_Rect panel = {0};
+    if (!window->gui || !window->lesson_panel.lesson) {
+        return panel;
+    }
+    panel = *area;
+    if (beside >= PANEL_WIDTH_MINIMUM * letter) {
+        panel.w = (int)fmin(beside, PANEL_WIDTH_MAXIMUM * letter);
+        area->w -= panel.w;
+        panel.x += area->w;
+        return panel;
+    }
+    // Its letters are those of a window without the panel.
+    letter =
+        text_scale * fmax(least, area->h / ((double)ROWS_PER_WINDOW + PANEL_HEIGHT * text_scale));
+    panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
+    area->h = SDL_max(1, area->h - panel.h);
+    panel.y += area->h;
+    return panel;
+}
+
+/** @return The part of the window below the toolbar, pixels. */
+static SDL_Rect area_below_toolbar(const Window *window) {
     SDL_Rect area = {.y = window->toolbar.is_folded ? 0 : window_toolbar_height(window)};
     sdl_window_size(&window->sdl, &area.w, &area.h);
     area.h = SDL_max(1, area.h - area.y);
     return area;
 }
 
+SDL_Rect window_area(const Window *window) {
+    SDL_Rect area = area_below_toolbar(window);
+    split_off_panel(window, &area);
+    return area;
+}
+
+int window_used_height(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return SDL_max(0, height - window_area(window).h);
+}
+
 void window_size_below_toolbar(const Window *window, int *width, int *height) {
     SDL_GetWindowSize(window->sdl.window, width, height);
-    *height -= (int)(window_area(window).y / pixels_per_unit(window));
+    *height -= (int)(window_used_height(window) / pixels_per_unit(window));
 }
 
 void window_set_size_below_toolbar(Window *window, int width, int height) {
-    height += (int)(window_area(window).y / pixels_per_unit(window));
+    height += (int)(window_used_height(window) / pixels_per_unit(window));
     SDL_SetWindowSize(window->sdl.window, width, height);
 }
 
@@ -127,12 +177,13 @@ static bool toast_expire(Toast *toast, double now) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
-/** Grows or shrinks the window by as much as the bar, so that the picture keeps its size.
- *  @return Whether the window has another size now. */
+/** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
+ *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
     Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
-    int width = 0, height = 0, bar = window_area(window).y, added = bar - window->fitted_bar;
-    window->fitted_bar = bar;
+    int width = 0, height = 0, used = window_used_height(window);
+    int added = used - window->fitted_height;
+    window->fitted_height = used;
     if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
         return false;
     }
@@ -174,6 +225,18 @@ void window_open_widgets(Window *window) {
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
         set_toolbar_folded(window, false);
+    } else if (window->gui) {
+        window_relayout_toolbar(window);
+    }
+}
+
+void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
+    bool is_other = !window->lesson_panel.lesson != !panel->lesson;
+    window->lesson_panel = *panel;
+    if (is_other && window->gui) {
+        window_relayout_toolbar(window);
+    } else if (window->gui) {
+        window_present(window);
     }
 }
 
@@ -183,15 +246,32 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
+/** @return Whether a legend says how much of the work is done, and it is not all done. */
+static bool has_progress(const Window *window) {
+    bool is_under_way = false;
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        const RenderStats *report = &window->viewports[i].report;
+        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
+    }
+    return is_under_way && window->gui && !window->ray_view.is_open;
+}
+
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
+    if (has_progress(window) && now >= window->next_progress_time) {
+        window->next_progress_time = now + PROGRESS_SECONDS;
+        is_over = true;
+    }
     return is_over || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint};
     double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
+    if (has_progress(window)) {
+        delay = fmin(delay, fmax(0, window->next_progress_time - now));
+    }
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
@@ -200,8 +280,8 @@ double window_widgets_timeout(const Window *window, double now) {
     return delay;
 }
 
-/** @return A rectangle of pixels in screen units. */
-static SDL_Rect to_units(SDL_Rect rect, double scale) {
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
+    double scale = pixels_per_unit(window);
     return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
                       (int)(rect.h / scale)};
 }
@@ -215,7 +295,7 @@ static void show_toolbar(Window *window) {
                               .layer = window_active_viewport(window)->layer,
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
-                              .shows_rays = window->inspector.is_open,
+                              .shows_rays = window->ray_view.is_open,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
@@ -235,21 +315,6 @@ static void show_messages(const Window *window, int width, int height) {
     }
 }
 
-/** Shows what the pixel under the mouse shows. @param height Of the window, screen units. */
-static void show_readout(const Window *window, int height) {
-    int x = 0, y = 0;
-    double right, down;
-    bool is_inside = SDL_GetMouseFocus() == window->sdl.window;
-    SDL_GetMouseState(&x, &y);
-    is_inside = is_inside && window_picture_position(window, x, y, &right, &down);
-    bool is_difference = window->split.mode == SPLIT_DIFFERENCE;
-    if (is_inside && !is_difference && !window->inspector.is_open && window->hint.text[0] == '\0') {
-        bool is_right = window_viewport_count(window) > 1 && right >= window->split.bar_position;
-        pixel_readout_show(&window->viewports[is_right ? 1 : 0], right, down,
-                           (GuiPoint){0, (float)height});
-    }
-}
-
 /** @return The height of letters, screen units. The bar does not count, as it grows with them. */
 static float text_size(const Window *window) {
     int width = 0, height = 0;
@@ -257,6 +322,16 @@ static float text_size(const Window *window) {
     window_size_below_toolbar(window, &width, &height);
     // Whole units: the bar keeps its height while the window gains a pixel.
     return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
+}
+
+/** Shows list, formulas and numbers of the rays, if they are shown. */
+static void show_rays(Window *window) {
+    bool is_covered = window->help.is_open || window->browser.is_open;
+    if (window->ray_view.is_open && !is_covered && window->state.scene) {
+        double scale = pixels_per_unit(window);
+        SDL_Rect area = window_to_units(window, window_area(window));
+        ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
+    }
 }
 
 void window_show_widgets(Window *window) {
@@ -269,17 +344,39 @@ void window_show_widgets(Window *window) {
     show_toolbar(window);
     bool is_picture = !window->help.is_open && !window->browser.is_open;
     window->light_marks.count = 0;
-    if (is_picture && !window->inspector.is_open && !window->toolbar.is_folded &&
+    if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
         window->state.scene) {
-        SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
     }
-    if (is_picture && !window->toolbar.is_folded) {
-        show_readout(window, height);
+    window_show_values(window);
+    if (!window->toolbar.is_folded) {
+        window_show_readout(window);
+    }
+    show_rays(window);
+    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
+    if (is_picture && window->lesson_panel.lesson) {
+        panel = window_to_units(window, panel);
+        lesson_panel_show(&window->lesson_panel, &panel);
     }
     show_messages(window, width, height);
     gui_end_frame(window->gui);
+}
+
+bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
+    double scale = pixels_per_unit(window);
+    SDL_Rect area = window_area(window);
+    return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
+}
+
+void window_show_screen_only(Window *window) {
+    if (window->gui) {
+        gui_begin_frame(window->gui, text_size(window));
+        window_show_values(window);
+        show_rays(window);
+        gui_end_frame(window->gui);
+    }
 }
 
 const LightMark *window_light_at(const Window *window, int x, int y) {
@@ -289,7 +386,7 @@ const LightMark *window_light_at(const Window *window, int x, int y) {
 
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset) {
-    SDL_Rect picture = to_units(window_picture_rect(window), pixels_per_unit(window));
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
 }

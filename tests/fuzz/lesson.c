@@ -22,6 +22,25 @@ static void check_text(const Lesson *lesson, const char *text) {
     }
 }
 
+/** Checks the questions of a lesson. */
+static void check_questions(const Lesson *lesson) {
+    FUZZ_REQUIRE(lesson->question_count <= LESSON_QUESTIONS_MAXIMUM);
+    FUZZ_REQUIRE(lesson->learnt_count <= LESSON_LEARNT_MAXIMUM);
+    for (size_t i = 0; i < lesson->question_count; i++) {
+        const LessonQuestion *question = &lesson->questions[i];
+        FUZZ_REQUIRE(question->choice_count >= LESSON_CHOICES_MINIMUM);
+        FUZZ_REQUIRE(question->choice_count <= LESSON_CHOICES_MAXIMUM);
+        FUZZ_REQUIRE(question->right >= 0 && question->right < question->choice_count);
+        FUZZ_REQUIRE(lesson_first_asked(lesson, i) <= i);
+        for (int j = 0; j < question->choice_count; j++) {
+            check_text(lesson, question->choices[j].english);
+            check_text(lesson, question->choices[j].french);
+        }
+        check_text(lesson, question->because.english);
+        check_text(lesson, question->because.french);
+    }
+}
+
 /** Checks an accepted lesson. */
 static void check_lesson(const Lesson *lesson) {
     FUZZ_REQUIRE(memchr(lesson->scene, '\0', sizeof lesson->scene) && lesson->scene[0]);
@@ -30,6 +49,8 @@ static void check_lesson(const Lesson *lesson) {
     int64_t time = 0;
     for (size_t i = 0; i < lesson->count; i++) {
         const LessonStep *step = &lesson->steps[i];
+        bool has_question = step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
+        FUZZ_REQUIRE(!has_question || (size_t)step->action < lesson->question_count);
         bool has_action = step->kind == LESSON_PRESS || step->kind == LESSON_RELEASE;
         FUZZ_REQUIRE(step->kind <= LESSON_SNAPSHOT && step->time >= time);
         FUZZ_REQUIRE(!has_action || (step->action >= 0 && step->action < NAME_COUNT));
@@ -38,6 +59,7 @@ static void check_lesson(const Lesson *lesson) {
         check_text(lesson, step->text.french);
         time = step->time;
     }
+    check_questions(lesson);
     check_text(lesson, lesson->title.english);
     check_text(lesson, lesson->title.french);
     check_text(lesson, lesson->initial_settings.engine);

@@ -36,13 +36,15 @@ static void check_file(int file) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     FuzzInput input = {data, size};
+    const unsigned flags = fuzz_take_byte(&input);
     const ScriptRequest request = {.path = "scenes/lessons/fuzz.lua",
-                                   .base_dir = fuzz_take_byte(&input) % 2 ? FOLDER : NULL};
+                                   .base_dir = flags % 2 ? FOLDER : NULL};
     ScriptResponder *responder = calloc(1, sizeof *responder);
     ScriptQuestion *question = calloc(1, sizeof *question);
     WorkerResponse response = {0};
     FUZZ_REQUIRE(responder && question);
     responder->request = &request;
+    responder->is_lesson = flags / 2 % 2;
     question->kind = fuzz_take_byte(&input) % 6;
     fuzz_take(&input, question->text, sizeof question->text);
     // The text is printed on this process's terminal, escaped: of no interest here.
@@ -50,6 +52,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         script_question_answer(responder, question, sizeof *question, &response)) {
         const ScriptAnswer *answer = response.bytes;
         FUZZ_REQUIRE(answer && response.size == sizeof *answer);
+        FUZZ_REQUIRE(responder->is_lesson == (question->kind == SCRIPT_ASK_SCENE));
         if (response.file > 0) {
             FUZZ_REQUIRE(question->kind == SCRIPT_ASK_INCLUDE);
             check_file(response.file);

@@ -5,6 +5,7 @@
  */
 #include "assets/images/image_plugin.h"
 #include "assets/meshes/mesh_plugin.h"
+#include "assets/meshes/mesh_worker.h"
 #include "assets/process/worker_protocol.h"
 
 #include <errno.h>
@@ -69,7 +70,10 @@ static void scribble(int byte) {
     }
 }
 
-/** Sends a result in place of the worker: report and block of one byte value. */
+/**
+ * Sends a result in place of the worker: report and block of one byte value. The reports of both
+ * modules have the same size: a flag and an error.
+ */
 static void answer(int byte, size_t report_size, size_t block_size) {
     static char bytes[1 << 16];
     const WorkerFrame frame = {
@@ -144,13 +148,13 @@ static bool scribble_zeros(void) {
 
 /** Sends a result of ones: flags that are no bools, texts without an end, huge counts. */
 static bool answer_ones(void) {
-    answer(0xFF, 1028, 4096);
+    answer(0xFF, sizeof(MeshWorkerReport), 4096);
     return true;
 }
 
 /** Sends a result of small numbers. */
 static bool answer_twos(void) {
-    answer(2, 1032, 1 << 20);
+    answer(2, sizeof(MeshWorkerReport), 1 << 20);
     return true;
 }
 

@@ -254,7 +254,11 @@ FILE *open_stream(int file) {
     int copy = dup(file);
     FILE *stream = copy < 0 ? nullptr : fdopen(copy, "rb");
     if (!stream) {
-        throw_error(std::strerror(errno));
+        int reason = errno;
+        if (copy >= 0) {
+            close(copy);
+        }
+        throw_error(std::strerror(reason));
     }
     return stream;
 }

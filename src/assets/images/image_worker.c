@@ -5,6 +5,7 @@
 #include "assets/images/image_worker.h"
 
 #include "assets/process/worker_process.h"
+#include "base/untrusted.h"
 
 #include <errno.h>
 #include <libintl.h>
@@ -99,14 +100,10 @@ static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *repor
  * @return Whether it is valid.
  */
 static bool validate_texture(Texture *texture, size_t size, Error *error) {
-    unsigned char is_hdr = 0, is_damaged = 0;
-    if (size >= sizeof *texture) {
-        memcpy(&is_hdr, &texture->is_hdr, sizeof is_hdr);
-        memcpy(&is_damaged, &texture->is_damaged, sizeof is_damaged);
-    }
-    bool has_size = size >= sizeof *texture && is_hdr <= 1 && is_damaged <= 1 &&
-                    texture->width >= 1 && texture->width <= IMAGE_SIZE_MAXIMUM &&
-                    texture->height >= 1 && texture->height <= IMAGE_SIZE_MAXIMUM;
+    bool has_size = size >= sizeof *texture && untrusted_is_bool(&texture->is_hdr) &&
+                    untrusted_is_bool(&texture->is_damaged) && texture->width >= 1 &&
+                    texture->width <= IMAGE_SIZE_MAXIMUM && texture->height >= 1 &&
+                    texture->height <= IMAGE_SIZE_MAXIMUM;
     if (!has_size || texture_block_size(texture) != size) {
         return error_set(error, STATUS_SCENE, "it makes the libraries that read it go astray");
     }

@@ -226,6 +226,25 @@ typedef struct Message {
     int file;          /**< Descriptor to send along; 0: none. */
 } Message;
 
+/**
+ * Sends a header, to which a descriptor may be attached. It is never split: it is smaller than any
+ * buffer.
+ * @return false if the worker has ended, or is late: one that does not read fills the buffer.
+ */
+static bool send_header(Exchange *exchange, const struct msghdr *message) {
+    ssize_t count = -1;
+    while (count < 0) {
+        if (!wait_until_ready(exchange, POLLOUT)) {
+            return false;
+        }
+        count = sendmsg(exchange->process->socket, message, MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (count < 0 && !is_temporary(errno)) {
+            return false;
+        }
+    }
+    return count == sizeof(WorkerRequestHeader);
+}
+
 /** Sends a message, with its file. @return false if the worker has ended, or is late. */
 static bool send_message(Exchange *exchange, const Message *sent) {
     WorkerRequestHeader header = {.size = sent->size, .time_limit = exchange->call->time_limit};
@@ -244,9 +263,7 @@ static bool send_message(Exchange *exchange, const Message *sent) {
         rights->cmsg_len = CMSG_LEN(sizeof(int));
         memcpy(CMSG_DATA(rights), &sent->file, sizeof sent->file);
     }
-    // The first message of an empty socket is never split.
-    return sendmsg(exchange->process->socket, &message, MSG_NOSIGNAL) == sizeof header &&
-           send_bytes(exchange, sent->bytes, sent->size);
+    return send_header(exchange, &message) && send_bytes(exchange, sent->bytes, sent->size);
 }
 
 /** Answers a question. @return false if it is not valid, or the worker has ended. */

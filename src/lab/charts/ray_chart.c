@@ -204,6 +204,7 @@ static bool draw_svg(const RayChart *chart, const OrbitCamera *orbit, const char
                               .selected = RAY_DRAWING_UNSELECTED};
         draw_background(drawing.cairo, &background);
         ray_drawing_rays(&drawing);
+        ray_drawing_numbers(&drawing);
         draw_marks(&drawing, chart->scene);
         ray_drawing_legend(&drawing);
         ray_drawing_text(&drawing, 20, 30, title);

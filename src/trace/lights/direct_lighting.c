@@ -110,7 +110,8 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
         direct_lighting_clear(&light_only);
         light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
                          &light_only);
-        ray_tree_record_shadow(shapes, surface, light_index, sample, occluded[0], &light_only);
+        ray_tree_record_shadow(shapes, surface, light_index, &lights[light_index], sample,
+                               occluded[0], &light_only);
     }
 }
 

@@ -178,7 +178,7 @@ static void occluder_find(const ShapeSet *shapes, const SurfaceHit *surface, con
 }
 
 void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, size_t light_index,
-                            const LightSample *sample, mask occluded,
+                            const Light *light, const LightSample *sample, mask occluded,
                             const DirectLighting *lighting) {
     const Packet *shadow = &sample->shadow_rays;
     RayTree *ray_tree = surface->packet->context.recorders->ray_tree;
@@ -190,6 +190,8 @@ void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, s
     ray->light = (int)light_index;
     ray->throughput = ray_tree->nodes[ray->parent].throughput;
     ray->weight = one;
+    ray->cosine = real_first_lane(sample->cosine[0]);
+    ray->falloff = real_first_lane(light_attenuation(light, sample, 0));
     ray->diffuse = rgb_first_lane(lighting->diffuse[0]);
     ray->specular = rgb_first_lane(lighting->specular[0]);
     ray->transmittance = surface->interior ? rgb_first_lane(sample->transmittance[0]) : one;

@@ -27,12 +27,13 @@ void ray_tree_record_dielectric(const SurfaceHit *surface);
 
 /**
  * Records a shadow ray from the current ray's surface.
+ * @param light  The light.
  * @param sample  The light sample with the shadow ray.
  * @param occluded  Whether the light does not reach the point.
  * @param lighting  The light of this light alone.
  */
 void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, size_t light_index,
-                            const LightSample *sample, mask occluded,
+                            const Light *light, const LightSample *sample, mask occluded,
                             const DirectLighting *lighting);
 
 /**

@@ -193,13 +193,24 @@ static void move_bar(App *app, int direction) {
 /** Shows the rays of one pixel, or the picture again. */
 static void toggle_rays(App *app, int argument) {
     (void)argument;
-    inspector_toggle(&app->window.inspector);
+    ray_view_toggle(&app->window.ray_view);
     window_present(&app->window);
 }
 
-/** Shows the numbers of another ray. */
+/** Chooses another ray. */
 static void select_ray(App *app, int step) {
-    inspector_select_ray(&app->window.inspector, step);
+    ray_view_select_ray(&app->window.ray_view, step);
+}
+
+/** Lets the next ray fly along its path. */
+static void fly_ray(App *app, int argument) {
+    (void)argument;
+    ray_view_fly(&app->window.ray_view, clock_now_seconds());
+}
+
+/** Hides the rays of a kind, or shows them again. */
+static void toggle_ray_kind(App *app, int kind) {
+    ray_view_toggle_kind(&app->window.ray_view, (RayType)kind);
 }
 
 /* --- the program ------------------------------------------------------------------------------ */
@@ -295,12 +306,15 @@ static void toggle_full_screen(App *app, int argument) {
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Ends the program; while a lesson is recorded or plays, only when it is asked a second time. */
+/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
+ *  it is asked a second time. */
 static void leave_program(App *app) {
     double now = clock_now_seconds();
     bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
     if (!needs_confirmation || now < app->exit.confirmation_end) {
-        app->exit.is_requested = true;
+        app->player.is_leaving = app_is_playing(app);
+        app->exit.is_requested = !app->player.is_leaving;
+        app->exit.confirmation_end = 0;
         return;
     }
     app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
@@ -313,7 +327,7 @@ static void issue(App *app, const char *name) {
     command_issue(app, command_find(app->commands, name), clock_now_seconds());
 }
 
-/** Closes what lies topmost: help, rays, two pictures, a layer, the full screen; at last the
+/** Closes what lies topmost: help, a lesson's end card, rays, two pictures, a layer, the full screen; at last the
  *  program. What a lesson shows stays. */
 static void leave(App *app, int argument) {
     (void)argument;
@@ -325,7 +339,9 @@ static void leave(App *app, int argument) {
     }
     if (window->help.is_open) {
         toggle_help(app, 0);
-    } else if (is_own && window->inspector.is_open) {
+    } else if (app->player.lesson && is_own) {
+        app->player.is_leaving = true;
+    } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
         issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
@@ -379,6 +395,8 @@ static void leave(App *app, int argument) {
 #define FIRST_LAYERS .help = N_("light, normals, distance, shapes, (u, v)")
 /** The help of the other layers. */
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
+/** The help of the keys that choose rays. */
+#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 4: hide)")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -446,8 +464,13 @@ const Command command_table[] = {
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},
     {NULL, {NO_KEY("Ctrl ←↑↓→")}, NULL, RAYS, .help = N_("of the pixel beside")},
-    {"ray back", {KEY(j)}, N_("ray −"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
-    {"ray on", {KEY(k)}, N_("ray +"), RAYS, .help = N_("numbers of the ray before, after"), .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
+    {"ray back", {KEY(j)}, N_("ray −"), RAYS, RAY_STEPS, .flags = COMMAND_REPEATS, RUNS(select_ray, -1)},
+    {"ray on", {KEY(k)}, N_("ray +"), RAYS, RAY_STEPS, .flags = COMMAND_REPEATS, RUNS(select_ray, 1)},
+    {"fly ray", {NO_KEY(N_("Space"))}, NULL, RAYS, RAY_STEPS, RUNS(fly_ray, 0)},
+    {"camera rays", {ONLY_PLACE(1, N_("Shift 1"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_CAMERA)},
+    {"shadow rays", {ONLY_PLACE(2, N_("Shift 2"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_SHADOW)},
+    {"mirrored rays", {ONLY_PLACE(3, N_("Shift 3"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFLECTION)},
+    {"refracted rays", {ONLY_PLACE(4, N_("Shift 4"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFRACTION)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
@@ -481,6 +504,11 @@ const Command command_table[] = {
 
 void command_run(App *app, const Command *command) {
     command->run(app, command->argument);
+}
+
+void command_choose_ray(App *app, size_t ray) {
+    recorder_on_step(app, "ray(%zu)", ray);
+    app_choose_ray(app, ray);
 }
 
 void command_issue(App *app, const Command *command, double time) {

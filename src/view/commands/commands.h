@@ -20,4 +20,7 @@ void command_run(App *app, const Command *command);
  *  When its key went down, seconds on #clock_now_seconds. */
 void command_issue(App *app, const Command *command, double time);
 
+/** Chooses one of the rays that are shown; the recorder is notified first. */
+void command_choose_ray(App *app, size_t ray);
+
 #endif

@@ -41,8 +41,7 @@ void current_scene_open(App *app, const char *path) {
     }
 }
 
-/** Reports that a lesson needs the scene on screen. @return Whether one does. */
-static bool is_locked_by_lesson(App *app) {
+bool current_scene_is_locked(App *app) {
     bool is_locked = app_is_playing(app) || app_is_recording(app);
     if (is_locked) {
         app_set_status(app, "a lesson keeps to its scene");
@@ -51,7 +50,7 @@ static bool is_locked_by_lesson(App *app) {
 }
 
 void current_scene_browse(App *app) {
-    if (is_locked_by_lesson(app)) {
+    if (current_scene_is_locked(app)) {
         return;
     }
     if (!app->settings->preview || !font_is_available() ||
@@ -93,7 +92,7 @@ static void replace_renderers(Window *window, SceneLoad *load) {
         SceneLoadViewport *target = &load->viewports[i];
         if (target->renderer && window->viewports[i].renderer) {
             viewport_set_renderer(&window->viewports[i], target->renderer, &target->settings);
-            inspector_on_renderer_changed(&window->inspector);
+            ray_view_on_renderer_changed(&window->ray_view);
         } else {
             renderer_destroy(target->renderer);
             window->viewports[i].needs_new_renderer = true;
@@ -115,8 +114,13 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     app->scene_time = load->time;
     app_sync_window(app);
     if (load->path[0] != '\0') {
-        set_path(app, load->path);
+        set_path(app, load->lesson ? load->lesson->scene : load->path);
         app->timeline = (Timeline){.time = load->time};
+    }
+    if (load->lesson) {
+        lesson_destroy(app->source.lesson);
+        app->source.lesson = load->lesson;
+        SDL_strlcpy(app->source.lesson_path, load->path, sizeof app->source.lesson_path);
     }
     app->source.has_load_error = false;
     app_on_view_changed(app);
@@ -201,4 +205,5 @@ void current_scene_end(App *app) {
     file_watcher_stop(&app->source.watcher);
     scene_loader_stop(&app->source.loader);
     scene_destroy(app->source.owned);
+    lesson_destroy(app->source.lesson);
 }

@@ -13,8 +13,11 @@ void current_scene_begin(App *app);
 /** Reloads the scene's file after it was written; moved objects keep their positions. */
 void current_scene_reload(App *app);
 
-/** Loads another scene. */
+/** Loads another scene, or a lesson with its scene. */
 void current_scene_open(App *app, const char *path);
+
+/** Says so if a lesson needs the scene on screen. @return Whether one does. */
+bool current_scene_is_locked(App *app);
 
 /** Opens the list of scenes, unless a lesson needs the scene on screen. */
 void current_scene_browse(App *app);

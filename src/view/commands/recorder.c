@@ -182,13 +182,7 @@ bool recorder_begin(App *app, Error *error) {
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
     }
-    held_keys_clear(&app->input.held_keys);
-    app->input.camera_motion = MOTION_FLY;
-    timeline_pause(&app->timeline, clock_now_seconds());
-    window_reset_overrides(&app->window);
-    window_set_layer(&app->window, LAYER_SHADED);
-    app_reset_view(app);
-    inspector_reset(&app->window.inspector);
+    app_restart_view(app, timeline_time_at(&app->timeline, clock_now_seconds()));
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;
     return true;

@@ -106,8 +106,8 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
-/** Shows a colour and a text beside it. @param rgb The colour, sRGB. @param corner The lower left
- *  corner. */
+/** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
+ *  sRGB. @param corner The lower left corner. */
 void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
@@ -116,6 +116,131 @@ void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
 /** Marks where a light outside the picture is. @param tip Tip of the arrow. @param direction Where
  *  it points, of length 1. */
 void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
+
+/* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
+ */
+
+/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_list_end. */
+void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
+
+/** Ends a list. */
+void gui_list_end(void);
+
+/** A heading. */
+void gui_list_heading(const char *text);
+
+/** A line of a label and a text, which is broken where it is too long. @param label Empty: none. */
+void gui_list_text(const char *label, const char *text);
+
+/**
+ * A row that can be clicked, with a colour before it.
+ * @param number       Unique to this row in its list; not shown.
+ * @param indent       How far it is moved to the right, in steps.
+ * @param rgb          The colour, sRGB.
+ * @param is_selected  Whether it is the chosen one.
+ * @param is_revealed  Whether the list scrolls until it is in sight.
+ * @return Whether it was clicked.
+ */
+bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
+                  bool is_selected, bool is_revealed);
+
+/** A check box with a colour, beside the one before where there is room. @return Whether it was
+ *  clicked. */
+bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip, bool is_on);
+
+/** @return Width of a text, pixels of the window. */
+float gui_text_width(const char *text);
+
+/** Writes a text on the picture, with a line to what it names. @param corner Of the text, upper
+ *  left. @param is_bright Whether it stands out. */
+void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_bright);
+
+/** Draws a ray in flight: a bright line with a spot at its end. @param rgb Its colour, sRGB. */
+void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]);
+
+/* --- values on the picture -------------------------------------------------------------------- */
+
+/** A colour of a legend, with its text. */
+typedef struct GuiSwatch {
+    unsigned char rgb[3]; /**< The colour, sRGB. */
+    float position;       /**< Position on the bar, 0 to 1; below 0: it is below the bar. */
+    const char *text;     /**< Its number or its meaning. */
+} GuiSwatch;
+
+/** A legend: a title, a bar of colours with ticks, colours by themselves, notes. */
+typedef struct GuiLegend {
+    const char *title;               /**< What is shown. */
+    const char *unit;                /**< Its unit and scale; empty: none. */
+    const unsigned char (*bar)[3];   /**< Colours of the bar, from its lower end; sRGB. */
+    int bar_count;                   /**< Number of them; 0: there is no bar. */
+    const GuiSwatch *swatches;       /**< Ticks of the bar from its upper end, then colours. */
+    int swatch_count;                /**< Number of them. */
+    const char *const *notes;        /**< What else is to be said. */
+    int note_count;                  /**< Number of them. */
+} GuiLegend;
+
+/**
+ * Draws a legend.
+ * @param corner    Its lower corner, on the side that \p is_right says.
+ * @param highest   Largest height, pixels of the window: the bar shrinks.
+ * @param is_right  Whether the corner is the right one.
+ */
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right);
+
+/** Draws a ring around a pixel, seen on light and dark ground. */
+void gui_ring(GuiPoint center, float radius);
+
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+/** Begins a panel that fills a rectangle of the window; what does not fit is scrolled.
+ *  #gui_panel_end follows. @param corner Its upper left corner. @param size Its size. */
+void gui_panel_begin(const char *id, GuiPoint corner, GuiPoint size);
+
+/** Ends the panel. */
+void gui_panel_end(void);
+
+/** Begins a card in the middle of the window, as high as its text. #gui_panel_end follows. */
+void gui_card_begin(const char *id);
+
+/** Writes a heading. */
+void gui_heading(const char *text);
+
+/** Writes a text in as many lines as it needs. */
+void gui_paragraph(const char *text);
+
+/** Writes an item of a list in as many lines as it needs. */
+void gui_item(const char *text);
+
+/** Puts the next widget into the line of the last one. */
+void gui_same_line(void);
+
+/** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked
+ *  Whether it is the one to click now. @return Whether it was clicked. */
+bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bool is_marked);
+
+/** A button with a list. @param label Its words. @return Whether the list is open: its entries
+ *  follow, then #gui_step_list_end. */
+bool gui_step_list_begin(const char *label, const char *tooltip);
+
+/** An entry of the list. @param index Its place, from 0. @param is_present Whether it is marked.
+ *  @return Whether it was clicked. */
+bool gui_step_list_entry(size_t index, const char *text, bool is_present);
+
+/** Ends the list that is open. */
+void gui_step_list_end(void);
+
+/** The answers to a question. */
+typedef struct GuiAnswers {
+    const char *const *texts; /**< The answers. */
+    int count;                /**< Number of answers. */
+    int chosen;               /**< Index of the chosen one; -1: none. */
+    int right;                /**< Index of the right one, to be shown; -1: not yet. */
+    bool is_open;             /**< Whether one may be chosen. */
+} GuiAnswers;
+
+/** Shows answers with their numbers, side by side where there is room. @return Index of the one
+ *  that was clicked; -1: none. */
+int gui_answers(const GuiAnswers *answers);
 
 #ifdef __cplusplus
 }

@@ -46,7 +46,7 @@ static void end_all_moves(App *app, double time) {
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.inspector.is_open || !(modifiers & KMOD_CTRL)) {
+    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {
@@ -59,14 +59,24 @@ static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     return true;
 }
 
+/** @return The command of a key: while rays are shown, Space lets the next one fly. */
+static const Command *in_ray_view(const App *app, const Command *command) {
+    bool flies =
+        app->window.ray_view.is_open && !app_is_playing(app) && command_is(command, "time");
+    return flies ? command_find(app->commands, "fly ray") : command;
+}
+
 /** Handles a key that goes down or up. */
 static void on_key(App *app, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
     bool is_down = key->type == SDL_KEYDOWN;
     const Command *command =
         command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
-    command = command && command->name ? command : NULL;
+    command = command && command->name ? in_ray_view(app, command) : NULL;
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
+        return;
+    }
+    if (is_down && player_handle_digit(app, key->keysym.scancode)) {
         return;
     }
     double factor = speed_factor(key->keysym.mod);
@@ -95,11 +105,15 @@ static int mouse_window_width(const App *app) {
     return SDL_max(1, width);
 }
 
-/** Shows the rays of the pixel at a position: in the picture, or in the inset while rays are shown.
+/** Chooses the ray at a position while rays are shown, or shows the rays of the pixel there: in the
+ *  picture, or in the inset.
  *  @param x Screen units. */
 static void pick_at(App *app, int x, int y) {
     double right, down;
-    if (window_picture_position(&app->window, x, y, &right, &down)) {
+    size_t ray;
+    if (window_ray_at(&app->window, x, y, &ray)) {
+        command_choose_ray(app, ray);
+    } else if (window_picture_position(&app->window, x, y, &right, &down)) {
         recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
         app_pick_pixel(app, right, down);
     }
@@ -124,7 +138,7 @@ static bool grab_at(App *app, int x, int y) {
         return true;
     }
     app->window.split.is_dragged =
-        !app->window.inspector.is_open && window_is_at_bar(&app->window, picture_fraction(app, x));
+        !app->window.ray_view.is_open && window_is_at_bar(&app->window, picture_fraction(app, x));
     return app->window.split.is_dragged;
 }
 
@@ -187,7 +201,7 @@ static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
     } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_click_candidate(&app->input, mouse)) {
         return;
     } else if (player_allows_input(app)) {
-        bool is_orbiting = app->window.inspector.is_open;
+        bool is_orbiting = app->window.ray_view.is_open;
         double degrees = (is_orbiting ? ORBIT_PER_WINDOW : app->scene->camera.fov) / width;
         double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
         recorder_on_step(app, "turn(%.17g, %.17g)", right, up);
@@ -218,7 +232,7 @@ static void apply_browser_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
     char path[PATH_MAX];
     if (result == BROWSER_OPEN_SCENE && browser_selected_path(browser, path)) {
-        current_scene_open(app, path);
+        player_open_file(app, path);
     }
     if (result != BROWSER_KEEP_OPEN) {
         browser_close(browser);
@@ -361,7 +375,7 @@ void input_handle_event(App *app, const SDL_Event *event) {
         on_window(app, &event->window);
         break;
     case SDL_DROPFILE:
-        current_scene_open(app, event->drop.file);
+        player_open_file(app, event->drop.file);
         SDL_free(event->drop.file);
         break;
     case SDL_KEYMAPCHANGED:

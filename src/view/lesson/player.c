@@ -5,7 +5,13 @@
 #include "view/lesson/player.h"
 
 #include "base/language.h"
+#include "base/lesson_file.h"
+#include "base/scene_name.h"
 #include "view/commands/commands.h"
+#include "view/commands/current_scene.h"
+#include "view/lesson/answer_file.h"
+
+#include <string.h>
 
 /* --- names for lessons ------------------------------------------------------------------------ */
 
@@ -40,15 +46,30 @@ int view_actions(const char *names[VIEW_ACTIONS_MAXIMUM]) {
     return move_count;
 }
 
-/* --- playing ---------------------------------------------------------------------------------- */
+/* --- what the panel shows --------------------------------------------------------------------- */
 
 /** @return Whether the lesson plays without a viewer. */
 static bool is_unattended(const App *app) {
     return app->settings->lesson_snapshot_dir != NULL;
 }
 
+/** Shows in the panel what the lesson does. */
+static void update_panel(App *app) {
+    const Player *player = &app->player;
+    LessonPanel panel = {.lesson = is_unattended(app) ? NULL : player->lesson,
+                         .answers = player->answers,
+                         .stop = player->stop,
+                         .is_waiting = player->state == PLAYER_WAITS,
+                         .is_asking = player->state == PLAYER_ASKS,
+                         .is_finished = player->state == PLAYER_IS_FINISHED,
+                         .has_next = player->next_path[0] != '\0'};
+    window_set_lesson_panel(&app->window, &panel);
+}
+
+/* --- beginning and end ------------------------------------------------------------------------ */
+
 bool player_allows_input(const App *app) {
-    return !app_is_playing(app) || app->player.is_paused;
+    return !app_is_playing(app) || app->player.state == PLAYER_WAITS;
 }
 
 /** Moves light and camera. See #StepClockMoveFn. */
@@ -56,33 +77,97 @@ static void move_by_clock(void *context, Movement light, Movement camera) {
     app_move(context, light, camera);
 }
 
+/** Puts the lesson to its beginning. */
+static void rewind_lesson(App *app) {
+    Player *player = &app->player;
+    view_state_deinit(&player->paused_view);
+    player->state = PLAYER_RUNS;
+    player->step_clock =
+        (StepClock){.move = move_by_clock, .context = app, .held_keys = {.speed = 1}};
+    player->next_step = player->repeat_end = 0;
+    player->stop = LESSON_STEPS_MAXIMUM;
+    player->start_time = clock_now_seconds();
+}
+
+/** Begins a lesson. @param owned It, if it is freed at its end. @param path Its file. */
+static void begin_lesson(App *app, const Lesson *lesson, Lesson *owned, const char *path) {
+    Player *player = &app->player;
+    *player = (Player){.lesson = lesson, .owned = owned, .initial_time = app->scene_time};
+    SDL_strlcpy(player->path, path, sizeof player->path);
+    scene_name_from_path(path, player->name, sizeof player->name);
+    rewind_lesson(app);
+    window_end_hint(&app->window);
+    update_panel(app);
+}
+
 void player_begin(App *app) {
-    const Lesson *lesson = app->settings->lesson;
-    if (lesson) {
-        app->player = (Player){
-            .lesson = lesson,
-            .step_clock = {.move = move_by_clock, .context = app, .held_keys = {.speed = 1}},
-            .start_time = clock_now_seconds()};
-        app->window.caption.title = lesson->title;
+    if (app->settings->lesson) {
+        begin_lesson(app, app->settings->lesson, NULL, app->settings->lesson_path);
     }
 }
 
+void player_end(App *app) {
+    Player *player = &app->player;
+    view_state_deinit(&player->paused_view);
+    if (app_is_playing(app)) {
+        timeline_pause(&app->timeline, app_clock(app));
+    }
+    if (player->lesson) {
+        Lesson *owned = player->owned;
+        *player = (Player){0};
+        update_panel(app);
+        lesson_destroy(owned);
+    }
+}
+
+/** Begins the lesson that was loaded with the scene on screen, if any. */
+static void take_loaded_lesson(App *app) {
+    Lesson *lesson = app->source.lesson;
+    if (lesson) {
+        app->source.lesson = NULL;
+        player_end(app);
+        app_restart_view(app, app->scene_time);
+        begin_lesson(app, lesson, lesson, app->source.lesson_path);
+    }
+}
+
+void player_open_file(App *app, const char *path) {
+    if (app_is_playing(app)) {
+        current_scene_is_locked(app);
+        return;
+    }
+    player_end(app);
+    current_scene_open(app, path);
+}
+
+/** Ends the lesson after its last step: shows its end card. */
+static void finish_lesson(App *app) {
+    Player *player = &app->player;
+    step_clock_advance(&player->step_clock, player->step_clock.now + STEP_CLOCK_TICK);
+    app_set_status(app, "the lesson is over");
+    if (is_unattended(app)) {
+        player_end(app);
+        app->exit.is_requested = true;
+        return;
+    }
+    timeline_pause(&app->timeline, app_clock(app));
+    player->state = PLAYER_IS_FINISHED;
+    if (!app->settings->load || !lesson_file_next(player->path, player->next_path)) {
+        player->next_path[0] = '\0';
+    }
+    update_panel(app);
+}
+
+/* --- stops ------------------------------------------------------------------------------------ */
+
 /** Lets the clock run again. */
 static void resume_clock(Player *player) {
-    player->is_paused = player->is_capturing = false;
+    player->state = PLAYER_RUNS;
     player->start_time = clock_now_seconds() - step_clock_seconds(&player->step_clock);
 }
 
-/** Shows beside the caption's heading which key resumes the lesson. */
-static void update_hint(App *app) {
-    Caption *caption = &app->window.caption;
-    caption->hint = app->player.is_paused ? N_("Space: go on") : NULL;
-    overlay_invalidate(&caption->overlay);
-    window_present(&app->window);
-}
-
-/** Pauses the lesson, and saves the view. */
-static void player_pause(App *app) {
+/** Stops the lesson, and saves the view. @param state #PLAYER_WAITS or #PLAYER_ASKS. */
+static void stop_lesson(App *app, PlayerState state) {
     Player *player = &app->player;
     Error error = {0};
     view_state_deinit(&player->paused_view);
@@ -92,12 +177,12 @@ static void player_pause(App *app) {
     }
     player->paused_light = app->selected_light;
     player->paused_timeline = app->timeline;
-    player->is_paused = true;
-    update_hint(app);
+    player->state = state;
+    update_panel(app);
 }
 
-/** Restores the view, and resumes the lesson. */
-static void player_resume(App *app) {
+/** Restores the view, and lets the lesson go on. */
+static void resume_lesson(App *app) {
     Player *player = &app->player;
     held_keys_clear(&app->input.held_keys);
     view_state_restore_current(&player->paused_view, &app->home_view, app->scene);
@@ -105,46 +190,84 @@ static void player_resume(App *app) {
     app->timeline = player->paused_timeline;
     resume_clock(player);
     app_on_view_changed(app);
-    update_hint(app);
+    update_panel(app);
 }
 
-/** @return Number of captions before a step. */
-static size_t captions_before(const Lesson *lesson, size_t end) {
-    size_t count = 0;
-    for (size_t i = 0; i < end; i++) {
-        count += lesson->steps[i].kind == LESSON_CAPTION;
-    }
-    return count;
-}
-
-/** Shows a caption, and pauses or captures. */
-static void show_caption(App *app, const LessonStep *step) {
+/** Keeps the answer to a question. @param answer The choice, from 1. */
+static void keep_answer(App *app, size_t question, int answer) {
     Player *player = &app->player;
-    Caption *caption = &app->window.caption;
-    caption->text = step->text;
-    caption->number = captions_before(player->lesson, player->next_step);
-    caption->count = captions_before(player->lesson, player->lesson->count);
-    player->is_capturing = is_unattended(app);
-    if (step->waits_for_viewer && !player->is_capturing) {
-        player_pause(app);
-    } else {
-        update_hint(app);
+    const AnswerRecord record = {.lesson = player->name,
+                                 .question = question + 1,
+                                 .answer = answer,
+                                 .is_right =
+                                     answer == player->lesson->questions[question].right + 1};
+    Error error = {0};
+    player->answers[question] = answer;
+    if (app->settings->answer_path &&
+        !answer_file_append(app->settings->answer_path, &record, &error)) {
+        app_report_error(app, &error);
     }
 }
+
+/** @return The answer of an unattended lesson to a question, from 1. */
+static int unattended_answer(const App *app, size_t index) {
+    const LessonQuestion *question = &app->player.lesson->questions[index];
+    const char *predictions = app->settings->predictions;
+    int chosen = predictions && index < strlen(predictions) ? predictions[index] - '0' : 0;
+    return chosen > 0 && chosen <= question->choice_count ? chosen : question->right + 1;
+}
+
+/** Shows a caption, a question or an explanation, and stops if it waits. */
+static void show_stop(App *app, const LessonStep *step) {
+    Player *player = &app->player;
+    bool waits = step->waits_for_viewer || step->kind == LESSON_EXPLAIN;
+    bool is_asked_for = player->repeat_end == player->next_step && player->repeat_end > 0;
+    player->stop = player->next_step - 1;
+    if (is_unattended(app) && step->kind == LESSON_ASK) {
+        keep_answer(app, (size_t)step->action, unattended_answer(app, (size_t)step->action));
+    } else if (is_unattended(app)) {
+        player->state = PLAYER_CAPTURES;
+    } else if (step->kind == LESSON_ASK) {
+        stop_lesson(app, PLAYER_ASKS);
+    } else if (waits || is_asked_for) {
+        stop_lesson(app, PLAYER_WAITS);
+    } else {
+        update_panel(app);
+    }
+}
+
+/** Takes an answer to the question on screen. @param answer The choice, from 1. @return Whether
+ *  there is such a choice. */
+static bool answer_question(App *app, int answer) {
+    const Player *player = &app->player;
+    size_t question = (size_t)player->lesson->steps[player->stop].action;
+    if (answer < 1 || answer > player->lesson->questions[question].choice_count) {
+        return false;
+    }
+    keep_answer(app, question, answer);
+    resume_lesson(app);
+    return true;
+}
+
+/* --- playing ---------------------------------------------------------------------------------- */
 
 /** Runs a command, or begins its move. */
 static void press(App *app, const Command *command) {
-    StepClock *step_clock = &app->player.step_clock;
+    Player *player = &app->player;
+    StepClock *step_clock = &player->step_clock;
+    // What the viewer may do meanwhile is no part of the picture: repeated, it would undo itself.
+    bool is_skipped = player->repeat_end > 0 && command->flags & COMMAND_WHILE_PLAYING;
     if (command_is_move(command)) {
         held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));
-    } else {
+    } else if (!is_skipped) {
         command_run(app, command);
     }
 }
 
 /** Does a step. */
 static void do_step(App *app, const LessonStep *step) {
-    StepClock *step_clock = &app->player.step_clock;
+    Player *player = &app->player;
+    StepClock *step_clock = &player->step_clock;
     double now = step_clock_seconds(step_clock);
     switch (step->kind) {
     case LESSON_PRESS:
@@ -171,6 +294,9 @@ static void do_step(App *app, const LessonStep *step) {
     case LESSON_WALK:
         app_step_pixel(app, (int)step->x, (int)step->y);
         break;
+    case LESSON_RAY:
+        app_choose_ray(app, (size_t)step->action);
+        break;
     case LESSON_BAR:
         window_move_bar(&app->window, step->x);
         break;
@@ -178,53 +304,69 @@ static void do_step(App *app, const LessonStep *step) {
         app_drag_light(app, (size_t)step->action, (Vec3d){step->x, step->y, step->z});
         break;
     case LESSON_CAPTION:
-        show_caption(app, step);
+    case LESSON_ASK:
+    case LESSON_EXPLAIN:
+        if (player->next_step >= player->repeat_end) {
+            show_stop(app, step);
+        }
         break;
     case LESSON_SNAPSHOT:
-        app->player.is_capturing = is_unattended(app);
+        player->state = is_unattended(app) ? PLAYER_CAPTURES : player->state;
         break;
     }
-}
-
-void player_end(App *app) {
-    view_state_deinit(&app->player.paused_view);
-    if (app_is_playing(app)) {
-        timeline_pause(&app->timeline, app_clock(app));
-        app->player = (Player){0};
-        caption_close(&app->window.caption);
-    }
-}
-
-/** Ends the lesson after its last step. */
-static void player_finish(App *app) {
-    bool closes_window = is_unattended(app);
-    step_clock_advance(&app->player.step_clock, app->player.step_clock.now + STEP_CLOCK_TICK);
-    player_end(app);
-    app_set_status(app, "the lesson is over");
-    window_present(&app->window);
-    app->exit.is_requested = app->exit.is_requested || closes_window;
 }
 
 /** Does all steps up to a time, until one of them stops the clock. @param until Milliseconds. */
 static void play_until(App *app, int64_t until) {
     Player *player = &app->player;
     const Lesson *lesson = player->lesson;
+    // The second picture opens at the end of a frame; what follows may change it.
     while (!app_is_lesson_stopped(app) && player->next_step < lesson->count &&
-           lesson->steps[player->next_step].time <= until) {
+           lesson->steps[player->next_step].time <= until &&
+           !window_awaits_second_picture(&app->window)) {
         const LessonStep *step = &lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         do_step(app, step);
     }
-    if (!app_is_lesson_stopped(app) && player->next_step == lesson->count) {
-        player_finish(app);
-    } else if (!app_is_lesson_stopped(app)) {
+    if (app_is_lesson_stopped(app) || window_awaits_second_picture(&app->window)) {
+        return;
+    }
+    if (player->next_step == lesson->count) {
+        finish_lesson(app);
+    } else {
         step_clock_advance(&player->step_clock, until);
     }
 }
 
+/** Does the steps to be repeated. */
+static void repeat_steps(App *app) {
+    Player *player = &app->player;
+    while (player->next_step < player->repeat_end && !app_is_lesson_stopped(app) &&
+           !window_awaits_second_picture(&app->window)) {
+        const LessonStep *step = &player->lesson->steps[player->next_step++];
+        step_clock_advance(&player->step_clock, step->time);
+        do_step(app, step);
+    }
+    if (player->next_step >= player->repeat_end) {
+        player->repeat_end = 0;
+    }
+    if (player->state == PLAYER_RUNS) {
+        resume_clock(player);
+    }
+}
+
 void player_update(App *app, double now) {
-    const Player *player = &app->player;
-    if (app_is_playing(app) && !app_is_lesson_stopped(app) && window_is_ready(&app->window)) {
+    Player *player = &app->player;
+    take_loaded_lesson(app);
+    if (player->is_leaving) {
+        player_end(app);
+    }
+    if (!app_is_playing(app) || app_is_lesson_stopped(app)) {
+        return;
+    }
+    if (player->repeat_end > 0) {
+        repeat_steps(app);
+    } else if (window_is_ready(&app->window)) {
         int64_t passed = (int64_t)floor((now - player->start_time) * 1000);
         play_until(app, is_unattended(app) ? INT64_MAX : SDL_max(passed, player->step_clock.now));
     }
@@ -232,7 +374,12 @@ void player_update(App *app, double now) {
 
 double player_timeout(const App *app, double now) {
     const Player *player = &app->player;
-    if (!app_is_playing(app) || app_is_lesson_stopped(app) || !window_is_ready(&app->window)) {
+    bool is_due = app->source.lesson || player->is_leaving;
+    bool is_running = app_is_playing(app) && !app_is_lesson_stopped(app);
+    if (is_due || (is_running && player->repeat_end > 0)) {
+        return 0;
+    }
+    if (!is_running || !window_is_ready(&app->window)) {
         return WINDOW_NO_TIMEOUT;
     }
     int64_t step = player->next_step < player->lesson->count
@@ -244,12 +391,12 @@ double player_timeout(const App *app, double now) {
 
 bool player_capture(App *app, Error *error) {
     Player *player = &app->player;
-    if (!player->is_capturing || !window_is_finished(&app->window) || !app_is_time_settled(app)) {
+    if (player->state != PLAYER_CAPTURES || !window_is_finished(&app->window) ||
+        !app_is_time_settled(app)) {
         return true;
     }
     resume_clock(player);
-    if (!app_save_picture(app, app->settings->lesson_snapshot_dir, app->settings->lesson_name,
-                          error)) {
+    if (!app_save_picture(app, app->settings->lesson_snapshot_dir, player->name, error)) {
         app->exit.is_requested = true;
         app->exit.status = error->status;
         return false;
@@ -257,22 +404,201 @@ bool player_capture(App *app, Error *error) {
     return true;
 }
 
+/* --- steps back and on ------------------------------------------------------------------------ */
+
+/** @return Whether a step is a stop: a caption, a question, an explanation. */
+static bool is_stop(const LessonStep *step) {
+    return step->kind == LESSON_CAPTION || step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
+}
+
+/** Goes to a stop: repeats everything from the beginning, or goes on at once. @param stop Index of
+ *  the step; the number of steps: the end. */
+static void go_to(App *app, size_t stop) {
+    Player *player = &app->player;
+    if (stop < player->next_step) {
+        app_restart_view(app, player->initial_time);
+        rewind_lesson(app);
+    } else if (app_is_lesson_stopped(app)) {
+        resume_lesson(app);
+    }
+    player->repeat_end = SDL_min(stop + 1, player->lesson->count);
+    repeat_steps(app);
+}
+
+/** Goes to the stop before, or to the present one while the lesson runs. */
+static void step_back(App *app) {
+    const Player *player = &app->player;
+    size_t stop = player->stop < player->lesson->count ? player->stop : 0;
+    bool is_passed = !app_is_lesson_stopped(app);
+    for (size_t i = stop + is_passed; i-- > 0;) {
+        if (is_stop(&player->lesson->steps[i])) {
+            stop = i;
+            break;
+        }
+    }
+    go_to(app, stop);
+}
+
+/** Goes to the next stop at once. */
+static void step_on(App *app) {
+    const Player *player = &app->player;
+    size_t stop = player->next_step;
+    while (stop < player->lesson->count && !is_stop(&player->lesson->steps[stop])) {
+        stop++;
+    }
+    go_to(app, stop);
+}
+
+/** Plays the same lesson once more. */
+static void play_again(App *app) {
+    Player *player = &app->player;
+    app_restart_view(app, player->initial_time);
+    memset(player->answers, 0, sizeof player->answers);
+    rewind_lesson(app);
+    update_panel(app);
+}
+
+/** Opens the lesson after this one. */
+static void open_next(App *app) {
+    char path[PATH_MAX];
+    SDL_strlcpy(path, app->player.next_path, sizeof path);
+    if (path[0] != '\0') {
+        player_open_file(app, path);
+    }
+}
+
+/** Lets the lesson go on, or stops it. */
+static void toggle_waiting(App *app) {
+    if (app->player.state == PLAYER_WAITS) {
+        resume_lesson(app);
+    } else if (app->player.state == PLAYER_RUNS) {
+        stop_lesson(app, PLAYER_WAITS);
+    }
+}
+
+/** Does what a button or a key of the end card requests. */
+static void handle_card_request(App *app, LessonRequestKind kind) {
+    switch (kind) {
+    case LESSON_REQUEST_NEXT:
+        open_next(app);
+        break;
+    case LESSON_REQUEST_AGAIN:
+        play_again(app);
+        break;
+    case LESSON_REQUEST_CLOSE:
+        player_end(app);
+        break;
+    default:
+        break;
+    }
+}
+
+/** Does what a button requests while the lesson plays. */
+static void handle_playing_request(App *app, LessonRequest request) {
+    switch (request.kind) {
+    case LESSON_REQUEST_BACK:
+        step_back(app);
+        break;
+    case LESSON_REQUEST_ON:
+        step_on(app);
+        break;
+    case LESSON_REQUEST_GO_TO:
+        go_to(app, request.index);
+        break;
+    case LESSON_REQUEST_RESUME:
+        toggle_waiting(app);
+        break;
+    case LESSON_REQUEST_ANSWER:
+        answer_question(app, (int)request.index + 1);
+        break;
+    default:
+        break;
+    }
+}
+
+void player_handle_request(App *app) {
+    LessonRequest request = app->window.lesson_panel.request;
+    app->window.lesson_panel.request = (LessonRequest){0};
+    if (request.kind == LESSON_REQUEST_NONE || !app->player.lesson) {
+        return;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED) {
+        handle_card_request(app, request.kind);
+    } else {
+        handle_playing_request(app, request);
+    }
+}
+
+/* --- keys ------------------------------------------------------------------------------------- */
+
+/** @return The digit of a key, by its position; 0: it has none. */
+static int digit_of_key(SDL_Scancode key) {
+    if (key >= SDL_SCANCODE_1 && key <= SDL_SCANCODE_9) {
+        return (int)(key - SDL_SCANCODE_1) + 1;
+    }
+    return key >= SDL_SCANCODE_KP_1 && key <= SDL_SCANCODE_KP_9 ? (int)(key - SDL_SCANCODE_KP_1) + 1
+                                                                : 0;
+}
+
+bool player_handle_digit(App *app, SDL_Scancode key) {
+    static const LessonRequestKind card[] = {LESSON_REQUEST_NEXT, LESSON_REQUEST_AGAIN,
+                                             LESSON_REQUEST_CLOSE};
+    int digit = digit_of_key(key);
+    if (digit == 0 || !app->player.lesson) {
+        return false;
+    }
+    if (app->player.state == PLAYER_ASKS) {
+        answer_question(app, digit);
+        return true;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED && digit <= (int)SDL_arraysize(card)) {
+        handle_card_request(app, card[digit - 1]);
+        return true;
+    }
+    return false;
+}
+
+/** Handles a command that steers the lesson. @return Whether it does. */
+static bool steer(App *app, const Command *command) {
+    if (app->player.state == PLAYER_CAPTURES) {
+        return false;
+    }
+    if (command_is(command, "time")) {
+        toggle_waiting(app);
+    } else if (command_is(command, "time back")) {
+        step_back(app);
+    } else if (command_is(command, "time on")) {
+        step_on(app);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/** Says what the viewer can do instead of a command. */
+static void show_refusal(App *app) {
+    static const char *const words[] = {[PLAYER_RUNS] = N_("a lesson is played: Space holds it"),
+                                        [PLAYER_WAITS] = N_("a lesson is held: Space goes on"),
+                                        [PLAYER_ASKS] =
+                                            N_("a lesson asks: press the number of your answer")};
+    if (app->player.state <= PLAYER_ASKS) {
+        app_set_status(app, words[app->player.state]);
+    }
+}
+
 bool player_handle_command(App *app, const Command *command) {
-    bool is_paused = app->player.is_paused;
     unsigned flags = command ? command->flags : 0;
     if (!app_is_playing(app) || (flags & COMMAND_WHILE_PLAYING)) {
         return false;
     }
-    if (command_is(command, "time") && !app->player.is_capturing) {
-        is_paused ? player_resume(app) : player_pause(app);
+    if (steer(app, command)) {
         return true;
     }
-    if (is_paused && (flags & COMMAND_WHILE_PAUSED)) {
+    if (app->player.state == PLAYER_WAITS && (flags & COMMAND_WHILE_PAUSED)) {
         return false;
     }
     if (command) {
-        app_set_status(app, is_paused ? N_("a lesson is held: Space goes on")
-                                      : N_("a lesson is played: Space holds it"));
+        show_refusal(app);
     }
     return true;
 }

@@ -3,8 +3,11 @@
  * @brief Plays a lesson: the steps of its file issue commands.
  *
  * Space pauses and resumes it. While it is paused, the viewer may move camera and lights; they are
- * put back when it resumes. With a folder for snapshots it plays unattended: it saves the finished
- * picture at each caption and never waits, and the window closes at its end.
+ * put back when it resumes. At a question it waits for an answer, and shows the right one after the
+ * steps that follow: predict, observe, explain (Crouch 2004). A step back puts everything to the lesson's beginning, and repeats the steps
+ * without drawing; so the view is equal to the bit. With a folder for snapshots it plays
+ * unattended: it saves the finished picture at each caption and explanation and never waits, and
+ * the window closes at its end.
  */
 #ifndef DIOPTRE_VIEW_LESSON_PLAYER_H
 #define DIOPTRE_VIEW_LESSON_PLAYER_H
@@ -18,7 +21,17 @@ void player_begin(App *app);
 /** Ends the lesson, if any. */
 void player_end(App *app);
 
-/** Does the steps that are due. */
+/** Opens a scene or a lesson, unless a lesson plays. @param path Its file. */
+void player_open_file(App *app, const char *path);
+
+/** Does what a button of the lesson's panel has requested. */
+void player_handle_request(App *app);
+
+/** Handles the key of a digit: an answer, or a button of the end card. @return Whether it is one.
+ */
+bool player_handle_digit(App *app, SDL_Scancode key);
+
+/** Begins the lesson that was loaded; does the steps that are due. */
 void player_update(App *app, double now);
 
 /** @return Seconds until the next step or tick; see #window_timeout. */

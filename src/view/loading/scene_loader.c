@@ -24,7 +24,9 @@ void scene_load_deinit(SceneLoad *load) {
         load->viewports[i].renderer = NULL;
     }
     scene_destroy(load->scene);
+    lesson_destroy(load->lesson);
     load->scene = NULL;
+    load->lesson = NULL;
 }
 
 /** Creates a renderer of the loaded scene. */
@@ -42,7 +44,8 @@ static void load_scene(const ViewSettings *settings, const atomic_bool *stop, Sc
                                  .time = load->time,
                                  .force_reload = load->force_reload};
     load->scene = settings->load(settings->loader_context, &request, stop, &load->base_settings,
-                                 &load->error);
+                                 &load->lesson, &load->error);
+    load->time = load->lesson ? load->lesson->initial_settings.time : load->time;
     for (size_t i = 0; load->scene && i < SCENE_LOAD_VIEWPORTS; i++) {
         if (load->viewports[i].reuse_from) {
             create_viewport_renderer(load, &load->viewports[i]);

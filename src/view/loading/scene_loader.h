@@ -25,10 +25,11 @@ typedef struct SceneLoadViewport {
 
 /** A request, then its result. */
 typedef struct SceneLoad {
-    char path[PATH_MAX];          /**< File of the scene; empty: that of the previous one. */
+    char path[PATH_MAX];          /**< File of the scene or lesson; empty: the previous scene. */
     double time;                  /**< Its time, seconds. */
     bool force_reload;            /**< Whether its files may have changed. */
     Scene *scene;                 /**< The scene; NULL: an error. */
+    Lesson *lesson;               /**< The lesson that #path is; NULL: it is a scene. */
     RenderSettings base_settings; /**< Settings without the user's changes. */
     SceneLoadViewport
         viewports[SCENE_LOAD_VIEWPORTS]; /**< Its viewports; the first is always open. */
@@ -72,7 +73,7 @@ bool scene_loader_poll(SceneLoader *loader, SceneLoad *load);
 /** @return Whether scene and renderers were all created. */
 bool scene_load_is_complete(const SceneLoad *load);
 
-/** Frees scene and renderers. */
+/** Frees scene, lesson and renderers. */
 void scene_load_deinit(SceneLoad *load);
 
 /** Stops the thread, also in the middle of loading. */

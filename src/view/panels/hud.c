@@ -14,8 +14,6 @@
 
 /** Minimum seconds between two changes while a picture is drawn. */
 static const double UPDATE_INTERVAL = 0.2;
-/** Smallest percentage that is shown. */
-static const double MINIMUM_PERCENT = 0.001;
 /** Factor of the size of letters: the panel must not hide the picture. */
 static const double FONT_SCALE = 0.7;
 
@@ -72,11 +70,13 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
 /** Adds the settings of a picture. */
 static void add_settings(Hud *hud, const Viewport *viewport) {
     const RenderSettings *settings = &viewport->settings;
-    unsigned long count = (unsigned long)settings->samples;
+    // A layer has one ray per pixel, whatever the picture has.
+    int samples = viewport->layer == LAYER_SHADED ? settings->samples : 1;
+    unsigned long count = (unsigned long)samples;
     hud_add_row(hud, gettext("engine"), "%s", settings->engine->name);
     add_offset(hud, &settings->trace);
     hud_add_row(hud, gettext("depth"), ngettext("%d, %d sample", "%d, %d samples", count),
-                settings->trace.depth, settings->samples);
+                settings->trace.depth, samples);
     hud_add_row(hud, gettext("light"), "%s", gettext(light_mode_name(settings->lighting)));
     if (settings->trace.pixel_point != PIXEL_CENTER) {
         hud_add_row(hud, gettext("rays go"), "%s",
@@ -88,86 +88,15 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     add_cost(hud, viewport);
 }
 
-/** Adds a heading. @param more Its second part, translated; empty: none. */
-static void add_heading(Hud *hud, const char *name, const char *more) {
-    hud_add_row(hud, "", "%s%s%s", name, more[0] != '\0' ? ", " : "", more)->is_heading = true;
-}
-
-/** Adds a colour to a row. */
-static void add_swatch(PanelRow *row, const LegendEntry *tick) {
-    row->has_swatch = true;
-    memcpy(row->swatch, tick->rgb, sizeof row->swatch);
-}
-
-/** Adds the rows of a legend. */
-static void add_ticks(Hud *hud, const LegendEntry *ticks, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        const char *text = ticks[i].label ? gettext(ticks[i].label) : ticks[i].number;
-        add_swatch(hud_add_row(hud, "", "%s", text), &ticks[i]);
-    }
-}
-
-/** Adds a number of pixels. @return The row. */
-static PanelRow *add_fraction(Hud *hud, const char *kind, uint64_t count, uint64_t all) {
-    double percent = all > 0 ? 100 * (double)count / (double)all : 0;
-    unsigned long long number = count;
-    if (percent < MINIMUM_PERCENT) {
-        return hud_add_row(hud, "", gettext("%s: %llu"), kind, number);
-    }
-    return hud_add_row(hud, "", gettext("%s: %llu (%.3g %%)"), kind, number, percent);
-}
-
-/** Adds the numbers of faulty pixels. @param ticks The colours of acne and of leaks. */
-static void add_faults(Hud *hud, const LayerStats *report, const LegendEntry ticks[2]) {
-    const uint64_t counts[] = {report->artifact_pixels, report->leak_pixels};
-    for (int i = 0; i < 2; i++) {
-        const char *kind = gettext(ticks[i].label);
-        add_swatch(add_fraction(hud, kind, counts[i], report->pixel_count), &ticks[i]);
-    }
-}
-
-/** Adds the legend of a layer. */
-static void add_layer(Hud *hud, const LayerStats *report) {
-    LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
-    const char *unit = layer_unit(report->layer);
-    add_heading(hud, gettext(layer_name(report->layer)), unit[0] != '\0' ? gettext(unit) : "");
-    size_t count = layer_legend(report->layer, &report->scale, ticks);
-    if (report->layer == LAYER_ACNE) {
-        add_faults(hud, report, ticks);
-    } else {
-        add_ticks(hud, ticks, count);
-    }
-    if (report->layer == LAYER_ERROR || report->layer == LAYER_ROUNDING) {
-        const char *kind = report->layer == LAYER_ERROR ? gettext("off by over a step")
-                                                        : gettext("change by over a step");
-        add_fraction(hud, kind, report->artifact_pixels, report->pixel_count);
-    }
-}
-
-/** Adds the legend of a difference. */
-static void add_difference(Hud *hud, const DifferenceMap *difference) {
-    LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
-    add_heading(hud, gettext("left minus right"), gettext("steps of 255"));
-    add_ticks(hud, ticks, difference_map_legend(ticks));
-    add_fraction(hud, gettext("off by over a step"), difference->differing_pixels,
-                 difference->pixel_count);
-    hud_add_row(hud, "", gettext("at most: %d"), difference->max_difference);
-}
-
 /** Writes all rows. */
 static void write_rows(Hud *hud, const HudContent *content) {
     const Viewport *viewport = content->viewport;
     hud->count = 0;
     if (content->title) {
-        add_heading(hud, gettext(content->title), "");
+        hud_add_row(hud, "", "%s", gettext(content->title))->is_heading = true;
     }
     if (content->shows_settings) {
         add_settings(hud, viewport);
-    }
-    if (content->difference) {
-        add_difference(hud, content->difference);
-    } else if (!content->hides_layer && viewport->report.layer.layer != LAYER_SHADED) {
-        add_layer(hud, &viewport->report.layer);
     }
 }
 
@@ -176,8 +105,7 @@ static bool hud_is_equal(const Hud *a, const Hud *b) {
     bool is_equal = a->count == b->count;
     for (size_t i = 0; is_equal && i < a->count; i++) {
         is_equal = strcmp(a->row_texts[i], b->row_texts[i]) == 0 &&
-                   strcmp(a->rows[i].label, b->rows[i].label) == 0 &&
-                   memcmp(a->rows[i].swatch, b->rows[i].swatch, sizeof a->rows[i].swatch) == 0;
+                   strcmp(a->rows[i].label, b->rows[i].label) == 0;
     }
     return is_equal;
 }

@@ -1,11 +1,10 @@
 /**
  * @file
- * @brief The panel on a picture: its settings, its cost, the legend of its layer; and the title.
+ * @brief The panel on a picture: its settings and its cost; and the title.
  */
 #ifndef DIOPTRE_VIEW_PANELS_HUD_H
 #define DIOPTRE_VIEW_PANELS_HUD_H
 
-#include "render/difference_map.h"
 #include "view/panels/panel.h"
 #include "view/window/viewport.h"
 
@@ -27,8 +26,6 @@ typedef struct HudContent {
     const Viewport *viewport;        /**< The picture. */
     const char *title;               /**< Its name, in English; NULL: there is only one picture. */
     bool shows_settings;             /**< Whether settings and cost are shown. */
-    bool hides_layer;                /**< Whether the colours on screen are not its layer's. */
-    const DifferenceMap *difference; /**< The difference that is shown; NULL: none. */
 } HudContent;
 
 /** Updates the panel, at most a few times per second, so that it can be read. */

@@ -1,26 +1,119 @@
 /**
  * @file
- * @brief Writing what the pixel under the mouse shows.
+ * @brief Writing what a pixel shows.
  */
 #include "view/panels/pixel_readout.h"
 
+#include "base/language.h"
+
+#include <libintl.h>
+#include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
-/** Bytes of the readout with the final zero. */
-enum { READOUT_SIZE = LAYER_TEXT_SIZE + 64 };
+/** @return The number of a shape among those of its line, from 1; 0: it is the only one. */
+static int number_on_line(const Scene *scene, int shape) {
+    int before = 0, all = 0;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        bool is_there = scene->shapes[i].line == scene->shapes[shape].line;
+        all += is_there;
+        before += is_there && i <= (size_t)shape;
+    }
+    return all > 1 ? before : 0;
+}
 
-void pixel_readout_show(const Viewport *viewport, double right, double down, GuiPoint corner) {
-    PixelReading reading;
-    char text[READOUT_SIZE], value[LAYER_TEXT_SIZE] = "";
-    int x = (int)(right * viewport->width), y = (int)(down * viewport->height);
-    if (!viewport->renderer || !renderer_read_pixel(viewport->renderer, x, y, &reading)) {
+void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]) {
+    const SceneShape *found = &scene->shapes[shape];
+    const char *keyword = scene_shape_keywords[found->class_index]->name;
+    int number = found->line > 0 ? number_on_line(scene, shape) : 0;
+    if (number > 0) {
+        // A function of the scene file has made several.
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword, found->line,
+                 number);
+    } else if (found->line > 0) {
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d"), keyword, found->line);
+    } else {
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, number %d"), keyword, shape + 1);
+    }
+}
+
+/** Appends to a readout. @param format As for printf. */
+static void append(char text[READOUT_SIZE], const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void append(char text[READOUT_SIZE], const char *format, ...) {
+    size_t used = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + used, READOUT_SIZE - used, format, arguments);
+    va_end(arguments);
+}
+
+/** Appends what the ray through the middle of the pixel meets. */
+static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
+    const PixelReading *reading = &readout->readings[0];
+    char title[SHAPE_TITLE_SIZE] = "";
+    if (reading->shape >= 0 && readout->scene &&
+        (size_t)reading->shape < readout->scene->shape_count) {
+        shape_title(readout->scene, reading->shape, title);
+    } else if (reading->shape < 0) {
+        snprintf(title, sizeof title, "%s",
+                 isfinite(reading->distance) ? gettext("a lamp") : gettext("the sky"));
+    }
+    append(text, "   %s", title);
+}
+
+/** Appends the value of a pixel. */
+static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
+    char value[LAYER_TEXT_SIZE];
+    const uint8_t *rgb = reading->rgb;
+    if (reading->layer == LAYER_SHADED) {
+        append(text, gettext("colour %d %d %d of 255"), rgb[0], rgb[1], rgb[2]);
+    } else {
+        layer_value_text(reading->layer, reading->values, value);
+        append(text, gettext("%s: %s"), gettext(layer_name(reading->layer)), value);
+    }
+}
+
+/** Appends the difference of two pixels, if there is one. */
+static void append_difference(const PixelReading *a, const PixelReading *b,
+                              char text[READOUT_SIZE]) {
+    const char *unit = layer_difference_unit(a->layer);
+    double difference = (double)NAN;
+    if (a->layer != LAYER_SHADED && a->layer == b->layer) {
+        difference = layer_difference(a->layer, a->values, b->values);
+    }
+    bool is_binary = a->layer == LAYER_SHAPES || a->layer == LAYER_ACNE;
+    if (a->layer != b->layer) {
+        append(text, "%s", gettext("two layers: no difference"));
+    } else if (a->layer == LAYER_SHADED) {
+        append(text, gettext("left minus right: %+d %+d %+d"), a->rgb[0] - b->rgb[0],
+               a->rgb[1] - b->rgb[1], a->rgb[2] - b->rgb[2]);
+    } else if (isnan(difference)) {
+        append(text, "%s", gettext("no difference is known"));
+    } else if (is_binary) {
+        append(text, "%s", difference != 0 ? gettext("not the same") : gettext("the same"));
+    } else {
+        append(text, difference != 0 ? gettext("left minus right: %+.6g %s")
+                                     : gettext("left minus right: %.6g %s"),
+               difference, unit[0] != '\0' ? gettext(unit) : "");
+    }
+}
+
+void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
+    text[0] = '\0';
+    append(text, "%d, %d", readout->x, readout->y);
+    append_shape(readout, text);
+    if (readout->count == 1) {
+        append(text, "   ");
+        append_value(&readout->readings[0], text);
         return;
     }
-    if (reading.has_values) {
-        layer_value_text(viewport->layer, reading.values, value);
-    }
-    const uint8_t *rgb = reading.rgb;
-    snprintf(text, sizeof text, "%d, %d   %d %d %d%s%s", x, y, rgb[0], rgb[1], rgb[2],
-             value[0] != '\0' ? "   " : "", value);
-    gui_readout(text, rgb, corner);
+    append(text, "\n%s ", gettext("left:"));
+    append_value(&readout->readings[0], text);
+    append(text, "\n%s ", gettext("right:"));
+    append_value(&readout->readings[1], text);
+    append(text, "\n");
+    append_difference(&readout->readings[0], &readout->readings[1], text);
 }

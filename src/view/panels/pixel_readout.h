@@ -1,20 +1,35 @@
 /**
  * @file
- * @brief What the pixel under the mouse shows: its place, its colour, its number in the layer.
+ * @brief What the pixel under the mouse shows: its place, what is there, its colour, its number.
  */
 #ifndef DIOPTRE_VIEW_PANELS_PIXEL_READOUT_H
 #define DIOPTRE_VIEW_PANELS_PIXEL_READOUT_H
 
-#include "view/gui/gui.h"
-#include "view/window/viewport.h"
+#include "dioptre/renderer.h"
+#include "dioptre/scene.h"
 
-/**
- * Shows the readout.
- * @param viewport  The picture.
- * @param right     Position of the mouse, fraction of the picture's width.
- * @param down      Fraction of its height.
- * @param corner    Lower left corner of the window's free part, screen units.
- */
-void pixel_readout_show(const Viewport *viewport, double right, double down, GuiPoint corner);
+#include <stddef.h>
+
+/** Bytes of the readout with the final zero. */
+enum { READOUT_SIZE = 512 };
+/** Bytes of the name of a shape with the final zero. */
+enum { SHAPE_TITLE_SIZE = 64 };
+/** Most pictures that a readout compares. */
+enum { READOUT_PICTURES = 2 };
+
+/** One pixel of one picture, or of two. */
+typedef struct PixelReadout {
+    const Scene *scene;                      /**< The scene; NULL: shapes have no name. */
+    int x;                                   /**< The pixel's column. */
+    int y;                                   /**< Its row. */
+    PixelReading readings[READOUT_PICTURES]; /**< What it shows: in the left picture first. */
+    size_t count;                            /**< Number of pictures. */
+} PixelReadout;
+
+/** Names a shape with its line, such as `sphere, line 35`, in the user's language. */
+void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]);
+
+/** Writes a readout, in one line for each picture and one for their difference. */
+void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]);
 
 #endif

@@ -4,8 +4,6 @@
  */
 #include "view/panels/ray_overlay.h"
 
-#include "render/ray_drawing.h"
-
 /** @return A colour channel without its factor alpha. @param shift Of the channel in the pixel. */
 static Uint32 unpremultiplied(Uint32 pixel, int shift) {
     Uint32 alpha = pixel >> 24, value = pixel >> shift & 0xff;
@@ -31,37 +29,59 @@ static void unpremultiply(cairo_surface_t *image) {
     }
 }
 
-/** Draws an image into the window. */
-static void show_image(cairo_surface_t *image, SDL_Renderer *renderer, const SDL_Rect *rect) {
-    SDL_Texture *texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_ARGB8888,
-                                             SDL_TEXTUREACCESS_STATIC, rect->w, rect->h);
+/** @return An image as a texture; NULL if SDL failed. */
+static SDL_Texture *to_texture(cairo_surface_t *image, SDL_Renderer *renderer) {
+    SDL_Texture *texture = SDL_CreateTexture(
+        renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STATIC,
+        cairo_image_surface_get_width(image), cairo_image_surface_get_height(image));
     if (texture) {
         SDL_UpdateTexture(texture, NULL, cairo_image_surface_get_data(image),
                           cairo_image_surface_get_stride(image));
         SDL_SetTextureBlendMode(texture, SDL_BLENDMODE_BLEND);
-        SDL_RenderCopy(renderer, texture, NULL, rect);
-        SDL_DestroyTexture(texture);
     }
+    return texture;
 }
 
-void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect) {
-    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, rect->w, rect->h);
-    RayDrawing drawing = {.cairo = cairo_create(image),
-                          .tree = overlay->ray_tree,
-                          .orbit = overlay->orbit,
-                          .view = orbit_camera_project(overlay->orbit, rect->w, rect->h),
-                          .selected = overlay->selected};
+/** Draws rays, the camera and the lights. @return The drawing; NULL without memory. */
+static SDL_Texture *draw_overlay(const RayOverlay *overlay, SDL_Renderer *renderer, int width,
+                                 int height) {
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    RayDrawing drawing = overlay->drawing;
+    SDL_Texture *texture = NULL;
+    drawing.cairo = cairo_create(image);
     ray_drawing_rays(&drawing);
-    ray_drawing_mark(&drawing, overlay->ray_tree->nodes[0].origin, RAY_MARK_EYE, NULL);
+    ray_drawing_mark(&drawing, drawing.tree->nodes[0].origin, RAY_MARK_EYE, NULL);
     for (size_t i = 0; i < overlay->light_count; i++) {
         ray_drawing_mark(&drawing, overlay->light_positions[i], RAY_MARK_LIGHT, NULL);
     }
     if (cairo_status(drawing.cairo) == CAIRO_STATUS_SUCCESS) {
         unpremultiply(image);
-        show_image(image, renderer, rect);
+        texture = to_texture(image, renderer);
     }
     cairo_destroy(drawing.cairo);
     cairo_surface_destroy(image);
+    return texture;
+}
+
+void ray_overlay_show(OverlayImage *image, const RayOverlay *overlay, SDL_Renderer *renderer,
+                      const SDL_Rect *rect) {
+    if (image->width != rect->w || image->height != rect->h) {
+        ray_overlay_release(image);
+    }
+    if (!image->texture) {
+        *image =
+            (OverlayImage){draw_overlay(overlay, renderer, rect->w, rect->h), rect->w, rect->h};
+    }
+    if (image->texture) {
+        SDL_RenderCopy(renderer, image->texture, NULL, rect);
+    }
+}
+
+void ray_overlay_release(OverlayImage *image) {
+    if (image->texture) {
+        SDL_DestroyTexture(image->texture);
+        image->texture = NULL;
+    }
 }
 
 void ray_overlay_mark_pixel(SDL_Renderer *renderer, double x, double y, double size) {

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
 #define DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
 
-#include "render/orbit_camera.h"
+#include "render/ray_drawing.h"
 
 #include <SDL.h>
 
@@ -13,16 +13,26 @@
 typedef struct RayOverlay {
     const Vec3d *light_positions; /**< Positions of lights, which are marked. */
     size_t light_count;           /**< Number of #light_positions. */
-    const RayTree *ray_tree;      /**< The rays. */
-    const OrbitCamera *orbit;     /**< The second camera's orbit. */
-    size_t selected;              /**< Index of a ray that is drawn thicker. */
+    RayDrawing drawing;           /**< The rays; the target is set here. */
 } RayOverlay;
 
+/** A drawing that is kept until it changes. Starts as `{0}`: none. */
+typedef struct OverlayImage {
+    SDL_Texture *texture; /**< The drawing; NULL: it must be drawn; owned. */
+    int width;            /**< Its size, pixels. */
+    int height;           /**< The same. */
+} OverlayImage;
+
 /**
- * Draws rays, their numbers, the camera and the lights. Draws nothing without memory.
+ * Shows rays, the camera and the lights; draws them first if the image has none of that size. Draws
+ * nothing without memory.
  * @param rect  Rectangle of the second camera's picture, pixels of the window.
  */
-void ray_overlay_draw(const RayOverlay *overlay, SDL_Renderer *renderer, const SDL_Rect *rect);
+void ray_overlay_show(OverlayImage *image, const RayOverlay *overlay, SDL_Renderer *renderer,
+                      const SDL_Rect *rect);
+
+/** Frees the drawing: it has changed. */
+void ray_overlay_release(OverlayImage *image);
 
 /**
  * Marks a pixel by a cross that leaves the pixel itself free.

@@ -13,8 +13,10 @@ static const double BAR_MARGIN = 0.02;
 void split_view_deinit(SplitView *split) {
     streaming_texture_release(&split->difference_texture);
     free(split->pixels);
+    free(split->values);
     split->pixels = NULL;
-    split->pixel_capacity = 0;
+    split->values = NULL;
+    split->pixel_capacity = split->value_capacity = 0;
 }
 
 int split_view_column(const SplitView *split, int width) {
@@ -25,9 +27,10 @@ void split_view_move_bar(SplitView *split, double fraction) {
     split->bar_position = SDL_clamp(fraction, BAR_MARGIN, 1 - BAR_MARGIN);
 }
 
-/** Copies the newest passes of both viewports. @return false without memory, or while one has no
- * pass. */
-static bool copy_both(SplitView *split, const Viewport *left, const Viewport *right) {
+/** Copies the newest passes of both viewports. @param[out] layers Their layers. @return false
+ *  without memory, or while one has no pass. */
+static bool copy_both(SplitView *split, const Viewport *left, const Viewport *right,
+                      Layer layers[2]) {
     size_t pixels = (size_t)left->width * (size_t)left->height;
     if (left->width != right->width || left->height != right->height) {
         return false;
@@ -37,21 +40,64 @@ static bool copy_both(SplitView *split, const Viewport *left, const Viewport *ri
         split->pixels = malloc(2 * 4 * pixels);
         split->pixel_capacity = split->pixels ? pixels : 0;
     }
-    RenderStats report;
+    RenderStats reports[2];
     int pitch = 4 * left->width;
-    return split->pixels && renderer_copy_latest(left->renderer, &report, split->pixels, pitch) &&
-           renderer_copy_latest(right->renderer, &report, split->pixels + 4 * pixels, pitch);
+    bool is_copied =
+        split->pixels && renderer_copy_latest(left->renderer, &reports[0], split->pixels, pitch) &&
+        renderer_copy_latest(right->renderer, &reports[1], split->pixels + 4 * pixels, pitch);
+    for (int i = 0; is_copied && i < 2; i++) {
+        layers[i] = reports[i].layer.layer;
+    }
+    return is_copied;
+}
+
+/** Copies the numbers of both layers. @return false without memory, or while one has none. */
+static bool copy_both_values(SplitView *split, const Viewport *left, const Viewport *right) {
+    size_t pixels = (size_t)left->width * (size_t)left->height;
+    if (split->value_capacity < pixels) {
+        free(split->values);
+        split->values = malloc(2 * LAYER_VALUES * pixels * sizeof *split->values);
+        split->value_capacity = split->values ? pixels : 0;
+    }
+    RenderStats report;
+    return split->values && renderer_copy_values(left->renderer, &report, split->values) &&
+           renderer_copy_values(right->renderer, &report, split->values + LAYER_VALUES * pixels);
+}
+
+/** Draws the difference over the first of both pictures. @param layers Their layers. @return false
+ *  without memory. */
+static bool draw_difference(SplitView *split, const Viewport *left, const Viewport *right,
+                            const Layer layers[2]) {
+    size_t pixels = (size_t)left->width * (size_t)left->height;
+    if (layers[0] != layers[1]) {
+        split->difference = difference_map_draw_none(pixels, split->pixels);
+        return true;
+    }
+    if (layers[0] == LAYER_SHADED) {
+        split->difference = difference_map_draw(split->pixels, split->pixels + 4 * pixels, pixels,
+                                                split->pixels);
+        return true;
+    }
+    bool has_values = copy_both_values(split, left, right);
+    if (has_values) {
+        split->difference =
+            difference_map_draw_values(layers[0], split->values,
+                                       split->values + LAYER_VALUES * pixels, pixels,
+                                       split->pixels);
+    }
+    return has_values;
 }
 
 bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *right,
                         uint8_t *bgrx, int pitch) {
-    if (!copy_both(split, left, right)) {
+    Layer layers[2];
+    if (!copy_both(split, left, right, layers)) {
         return false;
     }
     size_t row = 4 * (size_t)left->width, picture_bytes = row * (size_t)left->height;
     const uint8_t *a = split->pixels, *b = split->pixels + picture_bytes;
-    if (split->mode == SPLIT_DIFFERENCE) {
-        split->difference = difference_map_draw(a, b, picture_bytes / 4, split->pixels);
+    if (split->mode == SPLIT_DIFFERENCE && !draw_difference(split, left, right, layers)) {
+        return false;
     }
     bool is_bar = split->mode == SPLIT_BAR;
     size_t left_bytes = is_bar ? 4 * (size_t)split_view_column(split, left->width) : row;

@@ -25,6 +25,8 @@ typedef struct SplitView {
     StreamingTexture difference_texture; /**< Texture of the difference. */
     uint8_t *pixels;                     /**< Pixels of both pictures; owned; NULL: none yet. */
     size_t pixel_capacity;               /**< Capacity of #pixels, pixels of each picture. */
+    float *values;         /**< Numbers of both layers in the difference; owned; NULL: none yet. */
+    size_t value_capacity; /**< Capacity of #values, pixels of each picture. */
     DifferenceMap difference;            /**< Statistics of the difference. */
 } SplitView;
 

@@ -38,8 +38,9 @@ static void start_cost_comparison(Viewport *viewport) {
     viewport->render_seconds = 0;
 }
 
-void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step) {
-    RenderSettings current = viewport->settings;
+void viewport_override_setting(Viewport *viewport, const RenderSettings *base,
+                               SettingsChangeFn *change, int step) {
+    RenderSettings current = *base; // The renderer may still have settings of before.
     settings_override_apply(&viewport->overrides, &current);
     change(&viewport->overrides, &current, step);
     viewport->needs_new_renderer = viewport->needs_restart = true;
@@ -48,6 +49,7 @@ void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int
 void viewport_set_layer(Viewport *viewport, Layer layer) {
     start_cost_comparison(viewport);
     viewport->layer = layer;
+    viewport->is_report_old = true;
     renderer_set_layer(viewport->renderer, layer);
     viewport->needs_restart = true;
     viewport->awaits_first_frame = false;
@@ -57,6 +59,7 @@ void viewport_set_renderer(Viewport *viewport, Renderer *renderer, const RenderS
     renderer_destroy(viewport->renderer);
     viewport->renderer = renderer;
     viewport->settings = *settings;
+    viewport->is_report_old = true;
     renderer_set_layer(renderer, viewport->layer);
     viewport->needs_restart = true;
     viewport->awaits_first_frame = viewport->has_new_pass = false;
@@ -132,6 +135,8 @@ bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer) {
         return false;
     }
     renderer_copy_latest(viewport->renderer, &viewport->report, pixels, pitch);
+    renderer_copy_marks(viewport->renderer, &viewport->marks);
+    viewport->is_report_old = false;
     streaming_texture_unlock(&viewport->texture);
     if (viewport->report.full_resolution_seconds > 0) {
         viewport->render_seconds = viewport->report.full_resolution_seconds;

@@ -3,7 +3,7 @@
  * @brief A viewport: one picture of the window, with its own renderer, settings and layer.
  *
  * It is rendered in the background, pass by pass, and never waited for. A window has one viewport,
- * or two of the same scene side by side; the inspector has a third with another camera.
+ * or two of the same scene side by side; the view of rays has a third with another camera.
  */
 #ifndef DIOPTRE_VIEW_WINDOW_VIEWPORT_H
 #define DIOPTRE_VIEW_WINDOW_VIEWPORT_H
@@ -25,6 +25,8 @@ typedef struct Viewport {
     Layer layer;                /**< The layer on screen. */
     StreamingTexture texture;   /**< The newest pass on screen. */
     RenderStats report;         /**< Statistics of that pass. */
+    bool is_report_old;         /**< Whether settings or layer have changed since that pass. */
+    LayerMarks marks;           /**< Where its artefacts are. */
     double render_seconds;      /**< Time of a pass with all pixels, seconds; 0: not known yet. */
     double previous_render_seconds; /**< The same before the last change of settings or layer; 0:
                                        none. */
@@ -54,7 +56,8 @@ bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *
 void viewport_close(Viewport *viewport);
 
 /** Changes a setting; #viewport_update_renderer must follow. */
-void viewport_override_setting(Viewport *viewport, SettingsChangeFn *change, int step);
+void viewport_override_setting(Viewport *viewport, const RenderSettings *base,
+                               SettingsChangeFn *change, int step);
 
 /** Changes the layer. */
 void viewport_set_layer(Viewport *viewport, Layer layer);

@@ -76,11 +76,12 @@ void __wrap_worker_enter_sandbox(size_t bytes) {
 /** Answers a question as the program does, but prints nothing. See #worker_job_ask. */
 WorkerAnswer __wrap_worker_job_ask(const void *question, size_t size) {
     static const ScriptAnswer none;
-    ScriptResponder responder = {.request = current.request};
     WorkerResponse response = {.bytes = &none, .size = sizeof none};
     ScriptQuestion asked;
     FUZZ_REQUIRE(size == sizeof asked);
     memcpy(&asked, question, size);
+    ScriptResponder responder = {.request = current.request,
+                                 .is_lesson = asked.kind == SCRIPT_ASK_SCENE};
     bool is_print = asked.kind == SCRIPT_ASK_PRINT;
     FUZZ_REQUIRE(is_print || script_question_answer(&responder, question, size, &response));
     void *copy = malloc(response.size);

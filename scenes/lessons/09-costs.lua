@@ -1,0 +1,109 @@
+-- What costs time, and what is exact enough.
+-- `dioptre view scenes/lessons/09-costs.lua` plays it; Space goes on.
+
+lesson {
+  scene = "../box.lua",
+  title = { en = "What costs time", fr = "Ce qui coûte du temps" },
+  size = {800, 600}, samples = 1,
+  learnt = {
+    { en = "More rays in a pixel make edges smooth. They are needed at edges, hardly elsewhere.",
+      fr = "Plus de rayons par pixel rendent les bords lisses. Il en faut aux bords, presque pas ailleurs." },
+    { en = "What could not change the picture by one step may be left out.",
+      fr = "Ce qui ne changerait pas l'image d'un seul cran, on peut s'en passer." },
+    { en = "Speed and accuracy: ask what the picture needs, then pay for that.",
+      fr = "Vitesse et précision : demandez ce que l'image exige, et ne payez que cela." },
+  },
+}
+
+local most = {
+  en = "Now up to 16 rays go through each pixel. Where does the program really need so many?",
+  fr = "Jusqu'à 16 rayons passent maintenant par pixel. Où le programme en a-t-il vraiment besoin ?",
+  choices = {
+    { en = "Everywhere alike", fr = "Partout autant" },
+    { en = "At edges, and where things mirror", fr = "Aux bords, et là où ça se reflète" },
+    { en = "In the dark places", fr = "Dans les endroits sombres" },
+  },
+  right = 2,
+  because = {
+    en = "Blue is few rays, yellow is many. On a plain wall all rays of a pixel bring the same, so few must do.",
+    fr = "Bleu : peu de rayons ; jaune : beaucoup. Sur un mur uni, tous rapportent la même chose : peu suffisent." },
+}
+
+zoom(8)
+turn(-3, -8)
+caption { wait = true,
+  en = "One ray per pixel. Look at the edge of the ball: it has steps like stairs.",
+  fr = "Un rayon par pixel. Regardez le bord de la boule : il est en marches d'escalier." }
+
+ask {
+  en = "We send more rays through other places of each pixel, and take their mean. What happens to the edge?",
+  fr = "Envoyons d'autres rayons par d'autres endroits de chaque pixel, et prenons la moyenne. Que devient le bord ?",
+  choices = {
+    { en = "It gets smooth: pixels there get colours between", fr = "Il devient lisse : des couleurs intermédiaires" },
+    { en = "The steps get finer: there are more pixels", fr = "Les marches sont plus fines : il y a plus de pixels" },
+    { en = "Nothing: the ball has not changed", fr = "Rien : la boule n'a pas changé" },
+  },
+  right = 1,
+  because = {
+    en = "There are no more pixels than before. But a pixel of which the ball covers half now gets half of its colour.",
+    fr = "Il n'y a pas plus de pixels. Mais un pixel à moitié couvert par la boule prend la moitié de sa couleur." },
+}
+for i = 1, 4 do
+  press "samples twice"
+  wait(0.7)
+end
+caption { wait = true, en = "But more rays cost time. Let us see where they go.",
+          fr = "Mais plus de rayons coûtent du temps. Voyons où ils vont." }
+press "home"
+
+ask(most)
+press "layer rays"
+wait(1)
+caption { wait = true, en = "Ball and cube mirror each other, again and again. A ray may be mirrored 8 times here.",
+          fr = "La boule et le cube se reflètent sans fin. Ici, un rayon peut être réfléchi 8 fois." }
+press "layer light"
+
+ask {
+  en = "We allow only 3 times. What will change?",
+  fr = "N'en permettons que 3. Qu'est-ce qui va changer ?",
+  choices = {
+    { en = "The whole picture gets darker", fr = "Toute l'image devient plus sombre" },
+    { en = "The mirror images disappear", fr = "Les reflets disparaissent" },
+    { en = "So little that nobody sees it", fr = "Si peu que personne ne le voit" },
+  },
+  right = 3,
+  because = {
+    en = "Each mirroring leaves less than half of the light here. The fourth brings hardly anything.",
+    fr = "Ici, chaque réflexion laisse moins de la moitié de la lumière. La quatrième n'apporte presque rien." },
+}
+for i = 1, 5 do press "less deep" end
+wait(1)
+press "as at first"
+caption { wait = true,
+  en = "Numbers cost time, too: float knows 7 digits, double 16, and double takes longer.",
+  fr = "Les nombres aussi coûtent du temps : float a 7 chiffres, double 16, et double est plus lent." }
+
+ask {
+  en = "We draw the picture with both. Where do they differ so much that one could see it?",
+  fr = "Dessinons l'image avec les deux. Où la différence serait-elle assez grande pour se voir ?",
+  choices = {
+    { en = "Nearly nowhere", fr = "Presque nulle part" },
+    { en = "In all dark places", fr = "Dans tous les endroits sombres" },
+    { en = "Everywhere a little", fr = "Un peu partout" },
+  },
+  right = 1,
+  because = {
+    en = "The difference is blank, but for single pixels at edges. Here float is enough.",
+    fr = "La différence est vide, sauf quelques pixels isolés sur des bords. Ici, float suffit." },
+}
+press "split"
+press "engine"
+press "split"
+wait(1)
+caption { wait = true, en = "For any scene, `dioptre needs` finds out what is enough, and why.",
+          fr = "Pour toute scène, `dioptre needs` trouve ce qui suffit, et pourquoi." }
+press "as at first"
+for i = 1, 4 do press "samples twice" end
+ask(most)
+press "layer rays"
+wait(1)

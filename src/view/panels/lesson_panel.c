@@ -1,0 +1,222 @@
+/**
+ * @file
+ * @brief The panel of a lesson, and its end card.
+ */
+#include "view/panels/lesson_panel.h"
+
+#include "base/language.h"
+#include "view/gui/gui.h"
+
+#include <libintl.h>
+#include <stdio.h>
+
+/** Bytes of a line of the panel with the final zero; a longer one is cut. */
+enum { LINE_SIZE = 1024 };
+
+/** @return A text of the lesson in the chosen language. */
+static const char *localized(const LessonText *text) {
+    return lesson_text_localized(text, language_is_french());
+}
+
+/** Requests something. */
+static void request(LessonPanel *panel, LessonRequestKind kind, size_t index) {
+    panel->request = (LessonRequest){kind, index};
+}
+
+bool lesson_panel_lists(const LessonStep *step) {
+    return step->kind == LESSON_CAPTION || step->kind == LESSON_ASK;
+}
+
+size_t lesson_panel_number(const Lesson *lesson, size_t end) {
+    size_t count = 0;
+    for (size_t i = 0; i < end && i < lesson->count; i++) {
+        count += lesson_panel_lists(&lesson->steps[i]);
+    }
+    return count;
+}
+
+int lesson_panel_score(const Lesson *lesson, const int *answers, int *asked) {
+    int right = 0;
+    *asked = 0;
+    for (size_t i = 0; i < lesson->question_count; i++) {
+        *asked += answers[i] > 0;
+        right += answers[i] == lesson->questions[i].right + 1;
+    }
+    return right;
+}
+
+/* --- the panel -------------------------------------------------------------------------------- */
+
+/** @return The text of a step of the list. */
+static const char *step_text(const Lesson *lesson, const LessonStep *step) {
+    return localized(step->kind == LESSON_ASK ? &lesson->questions[step->action].text
+                                              : &step->text);
+}
+
+/** Shows the list of steps. */
+static void show_list(LessonPanel *panel) {
+    const Lesson *lesson = panel->lesson;
+    char line[LINE_SIZE];
+    size_t present = lesson_panel_number(lesson, panel->stop + 1), number = 0;
+    snprintf(line, sizeof line, "%zu/%zu \xe2\x96\xbe", panel->stop < lesson->count ? present : 0,
+             lesson_panel_number(lesson, lesson->count));
+    if (!gui_step_list_begin(line, gettext("all steps"))) {
+        return;
+    }
+    for (size_t i = 0; i < lesson->count; i++) {
+        const LessonStep *step = &lesson->steps[i];
+        if (!lesson_panel_lists(step)) {
+            continue;
+        }
+        number++;
+        snprintf(line, sizeof line, "%zu  %s%s", number, step->kind == LESSON_ASK ? "? " : "",
+                 step_text(lesson, step));
+        if (gui_step_list_entry(i, line, panel->stop < lesson->count && number == present)) {
+            request(panel, LESSON_REQUEST_GO_TO, i);
+        }
+    }
+    gui_step_list_end();
+}
+
+/** Shows buttons and title. */
+static void show_controls(LessonPanel *panel) {
+    if (gui_step_button("\xe2\x97\x80", gettext("the step before"), true, false)) {
+        request(panel, LESSON_REQUEST_BACK, 0);
+    }
+    gui_same_line();
+    if (gui_step_button("\xe2\x96\xb6\xe2\x96\xb6", gettext("the next step, at once"), true,
+                        false)) {
+        request(panel, LESSON_REQUEST_ON, 0);
+    }
+    gui_same_line();
+    show_list(panel);
+    gui_same_line();
+    if (panel->is_asking) {
+        gui_heading(gettext("What do you predict?"));
+    } else if (gui_step_button(
+                   gettext(panel->is_waiting ? N_("go on (Space)") : N_("hold (Space)")), NULL,
+                   true, panel->is_waiting)) {
+        request(panel, LESSON_REQUEST_RESUME, 0);
+    }
+    gui_same_line();
+    gui_heading(localized(&panel->lesson->title));
+}
+
+/** Shows the answers to a question. @param is_explained Whether the right one is shown. */
+static void show_answers(LessonPanel *panel, const LessonQuestion *question, int answer,
+                         bool is_explained) {
+    const char *texts[LESSON_CHOICES_MAXIMUM];
+    for (int i = 0; i < question->choice_count; i++) {
+        texts[i] = localized(&question->choices[i]);
+    }
+    int clicked = gui_answers(&(GuiAnswers){.texts = texts,
+                                            .count = question->choice_count,
+                                            .chosen = panel->is_asking ? -1 : answer - 1,
+                                            .right = is_explained ? question->right : -1,
+                                            .is_open = panel->is_asking});
+    if (clicked >= 0) {
+        request(panel, LESSON_REQUEST_ANSWER, (size_t)clicked);
+    }
+}
+
+/** Shows a question, or what is right and why. */
+static void show_question(LessonPanel *panel, const LessonStep *step) {
+    const LessonQuestion *question = &panel->lesson->questions[step->action];
+    int answer = panel->answers[step->action];
+    char line[LINE_SIZE];
+    if (step->kind == LESSON_ASK) {
+        gui_paragraph(localized(&question->text));
+    } else {
+        const char *verdict = answer == 0                     ? ""
+                              : answer == question->right + 1 ? gettext("Right.")
+                                                              : gettext("Not what you predicted.");
+        snprintf(line, sizeof line, "%s%s%s", verdict, *verdict ? " " : "",
+                 localized(&question->because));
+        gui_paragraph(line);
+    }
+    show_answers(panel, question, answer, step->kind == LESSON_EXPLAIN);
+}
+
+/* --- the end card ----------------------------------------------------------------------------- */
+
+/** Shows the answers to a question that was asked before and after. */
+static void show_pair(const LessonPanel *panel, size_t first, size_t last) {
+    const LessonQuestion *question = &panel->lesson->questions[last];
+    const size_t asked[] = {first, last};
+    char line[LINE_SIZE];
+    gui_paragraph(localized(&question->text));
+    for (size_t i = 0; i < 2; i++) {
+        int answer = panel->answers[asked[i]];
+        bool is_right = answer == panel->lesson->questions[asked[i]].right + 1;
+        snprintf(line, sizeof line, "%s %s%s", i == 0 ? gettext("before:") : gettext("now:"),
+                 answer == 0 ? "\xe2\x80\x93"
+                 : is_right  ? "\xe2\x9c\x93 "
+                             : "\xe2\x9c\x97 ",
+                 answer > 0 && answer <= question->choice_count
+                     ? localized(&panel->lesson->questions[asked[i]].choices[answer - 1])
+                     : "");
+        gui_item(line);
+    }
+}
+
+/** Shows how many predictions were right, and what has changed. */
+static void show_score(const LessonPanel *panel) {
+    char line[LINE_SIZE];
+    int asked = 0, right = lesson_panel_score(panel->lesson, panel->answers, &asked);
+    if (asked > 0) {
+        snprintf(line, sizeof line,
+                 ngettext("%d of %d prediction right", "%d of %d predictions right",
+                          (unsigned long)asked),
+                 right, asked);
+        gui_heading(line);
+    }
+    for (size_t i = 0; i < panel->lesson->question_count; i++) {
+        size_t first = lesson_first_asked(panel->lesson, i);
+        if (first < i) {
+            show_pair(panel, first, i);
+        }
+    }
+}
+
+/** Shows the end card. */
+static void show_card(LessonPanel *panel) {
+    gui_card_begin("end of lesson");
+    gui_heading(localized(&panel->lesson->title));
+    for (size_t i = 0; i < panel->lesson->learnt_count; i++) {
+        gui_item(localized(&panel->lesson->learnt[i]));
+    }
+    show_score(panel);
+    if (panel->has_next) {
+        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
+            request(panel, LESSON_REQUEST_NEXT, 0);
+        }
+        gui_same_line();
+    }
+    if (gui_step_button(gettext("2  again"), NULL, true, false)) {
+        request(panel, LESSON_REQUEST_AGAIN, 0);
+    }
+    gui_same_line();
+    if (gui_step_button(gettext("3  close (Esc)"), NULL, true, false)) {
+        request(panel, LESSON_REQUEST_CLOSE, 0);
+    }
+    gui_panel_end();
+}
+
+void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect) {
+    const Lesson *lesson = panel->lesson;
+    const LessonStep *step = panel->stop < lesson->count ? &lesson->steps[panel->stop] : NULL;
+    gui_panel_begin("lesson", (GuiPoint){(float)rect->x, (float)rect->y},
+                    (GuiPoint){(float)rect->w, (float)rect->h});
+    if (!panel->is_finished) {
+        show_controls(panel);
+        if (step && step->kind == LESSON_CAPTION) {
+            gui_paragraph(localized(&step->text));
+        } else if (step) {
+            show_question(panel, step);
+        }
+    }
+    gui_panel_end();
+    if (panel->is_finished) {
+        show_card(panel);
+    }
+}

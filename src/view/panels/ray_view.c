@@ -1,0 +1,355 @@
+/**
+ * @file
+ * @brief The rays of one pixel in the window.
+ */
+#include "view/panels/ray_view.h"
+
+/** Degrees per second that held keys turn the second camera. */
+static const double TURN_PER_SECOND = 45;
+/** Factor of the zoom per second of a held key. */
+static const double ZOOM_PER_SECOND = 2;
+/** Size of the column of numbers and of the inset, fraction of the window. */
+static const double COLUMN_FRACTION = 0.36;
+/** Height of the formulas, fraction of the window. */
+static const double FORMULAS_FRACTION = 0.3;
+/** Seconds in which a ray flies along its path. */
+static const double FLIGHT_SECONDS = 0.4;
+/** Seconds from one picture of a flight to the next: a frame of a 60 Hz screen. */
+static const double FLIGHT_INTERVAL = 0.016;
+/** How near to a ray the mouse chooses it, fraction of the picture's height. */
+static const double RAY_REACH = 0.02;
+
+void ray_view_reset(RayView *ray_view) {
+    if (ray_view->is_open) {
+        ray_view_toggle(ray_view);
+    }
+    ray_view->has_pixel = false;
+}
+
+void ray_view_toggle(RayView *ray_view) {
+    if (ray_view->is_open) {
+        ray_view->is_open = false;
+        viewport_close(&ray_view->viewport);
+        ray_view_release_textures(ray_view);
+    } else if (ray_view->has_pixel) {
+        ray_view_pick(ray_view, ray_view->x, ray_view->y);
+    } else {
+        ray_view_pick(ray_view, 0.5, 0.5);
+    }
+}
+
+/** Goes to a pixel. @param x Fraction of the picture's width. @param y Fraction of its height. */
+static void set_pixel(RayView *ray_view, double x, double y) {
+    const double last = 1 - 1e-9;
+    ray_view->is_open = ray_view->has_pixel = ray_view->needs_trace = true;
+    ray_view->x = SDL_clamp(x, 0, last);
+    ray_view->y = SDL_clamp(y, 0, last);
+    ray_view->selected = 0;
+    ray_view->flight_start = 0;
+}
+
+void ray_view_pick(RayView *ray_view, double x, double y) {
+    ray_view->has_orbit = false;
+    set_pixel(ray_view, x, y);
+}
+
+void ray_view_step_pixel(RayView *ray_view, int x, int y) {
+    if (ray_view->width > 0) {
+        int column = (int)(ray_view->x * ray_view->width) + x;
+        int row = (int)(ray_view->y * ray_view->height) + y;
+        // The centre of the pixel, so that rounding cannot change it.
+        set_pixel(ray_view, (column + 0.5) / ray_view->width, (row + 0.5) / ray_view->height);
+    }
+}
+
+/** The chosen ray has changed, or how rays are drawn. */
+static void redraw_rays(RayView *ray_view) {
+    ray_overlay_release(&ray_view->overlay);
+    ray_view->needs_text = ray_view->needs_present = ray_view->is_row_revealed = true;
+}
+
+void ray_view_choose_ray(RayView *ray_view, size_t ray) {
+    if (ray_view->ray_tree.count > 0) {
+        ray_view->selected = SDL_min(ray, ray_view->ray_tree.count - 1);
+        ray_view->flight_start = 0;
+        redraw_rays(ray_view);
+    }
+}
+
+/** @return Whether the rays of a kind are hidden. */
+static bool is_hidden(const RayView *ray_view, size_t ray) {
+    return ray_view->hidden_kinds >> ray_view->ray_tree.nodes[ray].kind & 1;
+}
+
+void ray_view_select_ray(RayView *ray_view, int step) {
+    size_t count = ray_view->ray_tree.count, ray = ray_view->selected;
+    for (size_t turn = 0; turn < count; turn++) {
+        ray = (ray + count + (size_t)(step + (int)count)) % count;
+        if (!is_hidden(ray_view, ray)) {
+            break;
+        }
+    }
+    ray_view_choose_ray(ray_view, ray);
+}
+
+void ray_view_fly(RayView *ray_view, double now) {
+    ray_view_select_ray(ray_view, 1);
+    ray_view->flight_start = ray_view->ray_tree.count > 0 ? now : 0;
+}
+
+double ray_view_flight(const RayView *ray_view, double now) {
+    bool flies = ray_view->flight_start > 0;
+    return flies ? SDL_clamp((now - ray_view->flight_start) / FLIGHT_SECONDS, 0, 1) : 1;
+}
+
+void ray_view_toggle_kind(RayView *ray_view, RayType kind) {
+    ray_view->hidden_kinds ^= 1U << kind;
+    redraw_rays(ray_view);
+}
+
+void ray_view_move(RayView *ray_view, Movement movement) {
+    orbit_camera_rotate(&ray_view->orbit, -TURN_PER_SECOND * movement.right,
+                        -TURN_PER_SECOND * movement.up);
+    orbit_camera_zoom(&ray_view->orbit, pow(ZOOM_PER_SECOND, movement.forward));
+    ray_view->needs_draw = true;
+}
+
+void ray_view_turn(RayView *ray_view, double right, double up) {
+    orbit_camera_rotate(&ray_view->orbit, -right, -up);
+    ray_view->needs_draw = true;
+}
+
+void ray_view_invalidate(RayView *ray_view) {
+    ray_view->needs_trace = true;
+}
+
+void ray_view_reset_camera(RayView *ray_view) {
+    ray_view->has_orbit = false;
+    ray_view->needs_trace = true;
+}
+
+void ray_view_on_renderer_changed(RayView *ray_view) {
+    ray_view->is_renderer_outdated = ray_view->needs_trace = true;
+}
+
+void ray_view_on_pass(RayView *ray_view, const SDL_Event *event) {
+    if (event->user.data1 == &ray_view->viewport && ray_view->viewport.renderer) {
+        viewport_on_pass(&ray_view->viewport);
+    }
+}
+
+void ray_view_stop(RayView *ray_view) {
+    if (ray_view->viewport.renderer && viewport_stop(&ray_view->viewport)) {
+        ray_view->needs_draw = true;
+    }
+}
+
+/* --- rooms of the window ------------------------------------------------------------------------
+ */
+
+/** @return Rectangle of the inset with the picture. */
+static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
+    SDL_Rect rect = {.w = (int)(COLUMN_FRACTION * area->w), .h = (int)(COLUMN_FRACTION * area->h)};
+    if (ray_view->width > 0) { // As large as fits, with the shape of the picture.
+        double scale = SDL_min((double)rect.w / ray_view->width, (double)rect.h / ray_view->height);
+        rect.w = (int)(scale * ray_view->width);
+        rect.h = (int)(scale * ray_view->height);
+    }
+    rect.x = area->x + area->w - rect.w;
+    rect.y = area->y + area->h - rect.h;
+    return rect;
+}
+
+RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
+    const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
+              formulas = (int)(FORMULAS_FRACTION * area->h);
+    RayViewLayout layout = {
+        .formulas = {area->x, area->y, width, formulas},
+        .view = {area->x, area->y + formulas, width, SDL_max(1, area->h - formulas)},
+        .inset = inset_rect(ray_view, area)};
+    layout.list = (SDL_Rect){area->x + width, area->y, area->w - width, layout.inset.y - area->y};
+    return layout;
+}
+
+RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view) {
+    return (RayDrawing){.tree = &ray_view->ray_tree,
+                        .orbit = &ray_view->orbit,
+                        .view = orbit_camera_project(&ray_view->orbit, view->w, view->h),
+                        .selected = ray_view->selected,
+                        .hidden_kinds = ray_view->hidden_kinds,
+                        .hides_selected = ray_view->flight_start > 0};
+}
+
+bool ray_view_ray_at(const RayView *ray_view, double x, double y, const SDL_Rect *area,
+                     size_t *ray) {
+    SDL_Rect view = ray_view_layout(ray_view, area).view;
+    SDL_Point point = {(int)x, (int)y};
+    if (!ray_view->is_open || ray_view->ray_tree.count == 0 || !SDL_PointInRect(&point, &view)) {
+        return false;
+    }
+    RayDrawing drawing = ray_view_drawing(ray_view, &view);
+    *ray = ray_drawing_at(&drawing, x - view.x, y - view.y, RAY_REACH * area->h);
+    return *ray != RAY_DRAWING_UNSELECTED;
+}
+
+/* --- keeping up --------------------------------------------------------------------------------
+ */
+
+/** Copies the positions of the lights. */
+static void collect_light_positions(RayView *ray_view, const Scene *scene) {
+    ray_view->light_count = 0;
+    for (size_t i = 0; i < scene->light_count && ray_view->light_count < RAY_VIEW_LIGHTS; i++) {
+        Vec3d *position = &ray_view->light_positions[ray_view->light_count];
+        ray_view->light_count += scene_light_center(&scene->lights[i], position);
+    }
+}
+
+/** Traces the rays. @return false without memory. */
+static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *error) {
+    int x = (int)(ray_view->x * input->viewport->width),
+        y = (int)(ray_view->y * input->viewport->height);
+    RayTree *ray_tree = &ray_view->ray_tree;
+    ray_view->needs_trace = false;
+    ray_view->width = input->viewport->width;
+    ray_view->height = input->viewport->height;
+    if (!renderer_record_ray_tree(input->viewport->renderer, x, y, ray_tree, error)) {
+        ray_view_toggle(ray_view);
+        return false;
+    }
+    if (!ray_view->has_orbit) {
+        SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
+        ray_view->orbit = orbit_camera_fit(input->viewport->renderer, &input->scene->camera,
+                                           ray_tree, rect.w, rect.h);
+        ray_view->has_orbit = true;
+    }
+    ray_view->selected = SDL_min(ray_view->selected, ray_tree->count - 1);
+    ray_view->needs_draw = ray_view->needs_text = true;
+    collect_light_positions(ray_view, input->scene);
+    return true;
+}
+
+/** @return Settings of the second camera's view: those of the picture, with fewer samples and at
+ * most double precision. */
+static RenderSettings side_view_settings(const RenderSettings *settings) {
+    /** Most samples; sufficient bits of the mantissa. */
+    const int samples = 4, bits = 53;
+    RenderSettings side = *settings;
+    side.samples = SDL_min(side.samples, samples);
+    if (side.engine->mantissa_bits > bits) {
+        side.engine = engine_find("auto", NULL);
+    }
+    return side;
+}
+
+/** Creates the second camera's renderer, or replaces it after a change of the scene. @param scene
+ * The scene, with the second camera. @return false without memory. */
+static bool update_side_renderer(RayView *ray_view, const RayViewInput *input, const Scene *scene,
+                                 Error *error) {
+    Viewport *viewport = &ray_view->viewport;
+    RenderSettings settings = side_view_settings(&input->viewport->settings);
+    bool is_outdated = ray_view->is_renderer_outdated;
+    ray_view->is_renderer_outdated = false;
+    if (!viewport->renderer) {
+        return viewport_open(viewport, input->viewport, scene, &settings, input->pass_event, error);
+    }
+    if (is_outdated) {
+        renderer_stop(viewport->renderer);
+        Renderer *renderer =
+            renderer_create_reusing(input->viewport->renderer, scene, &settings, error);
+        if (!renderer) {
+            return false;
+        }
+        viewport_set_renderer(viewport, renderer, &settings);
+    }
+    return true;
+}
+
+/** Starts to render the second camera's view. @return false without memory. */
+static bool draw_side_view(RayView *ray_view, const RayViewInput *input, Error *error) {
+    Scene scene = *input->scene;
+    SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
+    scene.camera = orbit_camera_project(&ray_view->orbit, rect.w, rect.h).camera;
+    ray_view->needs_draw = false;
+    ray_overlay_release(&ray_view->overlay);
+    return update_side_renderer(ray_view, input, &scene, error) &&
+           viewport_start(&ray_view->viewport, &scene, rect.w, rect.h, input->now, error);
+}
+
+/** Moves the flying ray on. */
+static void update_flight(RayView *ray_view, double now) {
+    if (ray_view_flight(ray_view, now) >= 1) {
+        ray_view->flight_start = 0;
+        ray_overlay_release(&ray_view->overlay);
+    }
+    ray_view->needs_present = true;
+}
+
+double ray_view_timeout(const RayView *ray_view, double now) {
+    double delay = viewport_timeout(&ray_view->viewport, now);
+    return ray_view->flight_start > 0 ? SDL_min(delay, FLIGHT_INTERVAL) : delay;
+}
+
+bool ray_view_update(RayView *ray_view, const RayViewInput *input, SDL_Renderer *renderer,
+                     Error *error) {
+    Viewport *viewport = &ray_view->viewport;
+    bool ok = true;
+    if (ray_view->is_open && ray_view->needs_trace) {
+        ok = trace_rays(ray_view, input, error);
+    }
+    if (ray_view->is_open && ray_view->needs_text) {
+        ray_view->needs_text = false;
+        ray_view_write_text(ray_view, input, (int)(ray_view->x * ray_view->width),
+                            (int)(ray_view->y * ray_view->height));
+        ray_view->needs_present = true;
+    }
+    if (ray_view->is_open && ray_view->flight_start > 0) {
+        update_flight(ray_view, input->now);
+    }
+    if (ray_view->is_open && ray_view->needs_draw) {
+        ray_view->needs_present = true;
+        ok = (viewport->awaits_first_frame || draw_side_view(ray_view, input, error)) && ok;
+    }
+    if (ray_view->is_open && viewport->renderer && viewport_has_frame(viewport, input->now)) {
+        ray_view->needs_present = viewport_upload(viewport, renderer) || ray_view->needs_present;
+    }
+    return ok;
+}
+
+/* --- showing -----------------------------------------------------------------------------------
+ */
+
+/** Draws the inset: the picture, and a mark at the pixel. */
+static void draw_inset(const RayView *ray_view, const StreamingTexture *texture,
+                       SDL_Renderer *renderer, const SDL_Rect *rect) {
+    streaming_texture_draw(texture, renderer, rect, rect);
+    SDL_RenderSetClipRect(renderer, rect);
+    ray_overlay_mark_pixel(renderer, rect->x + ray_view->x * rect->w,
+                           rect->y + ray_view->y * rect->h, 0.08 * rect->h);
+    SDL_RenderSetClipRect(renderer, NULL);
+}
+
+void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Renderer *renderer,
+                   const SDL_Rect *area) {
+    RayViewLayout layout = ray_view_layout(ray_view, area);
+    ray_view->needs_present = false;
+    streaming_texture_draw(&ray_view->viewport.texture, renderer, &layout.view, &layout.view);
+    if (ray_view->ray_tree.count > 0) {
+        RayOverlay overlay = {.light_positions = ray_view->light_positions,
+                              .light_count = ray_view->light_count,
+                              .drawing = ray_view_drawing(ray_view, &layout.view)};
+        ray_overlay_show(&ray_view->overlay, &overlay, renderer, &layout.view);
+    }
+    draw_inset(ray_view, texture, renderer, &layout.inset);
+}
+
+void ray_view_release_textures(RayView *ray_view) {
+    streaming_texture_release(&ray_view->viewport.texture);
+    ray_overlay_release(&ray_view->overlay);
+    ray_view->needs_trace = true;
+}
+
+void ray_view_deinit(RayView *ray_view) {
+    viewport_close(&ray_view->viewport);
+    ray_view_release_textures(ray_view);
+    ray_tree_deinit(&ray_view->ray_tree);
+}

@@ -1,0 +1,236 @@
+/**
+ * @file
+ * @brief Words and numbers of the view of rays: the list, the formulas, the sum, the numbers at the
+ * rays.
+ */
+#include "view/panels/ray_view.h"
+
+#include "base/language.h"
+#include "view/gui/gui.h"
+
+#include <libintl.h>
+#include <stdio.h>
+
+/** Rows of the list, at most: those around the chosen ray. */
+enum { ROWS_MAXIMUM = 400 };
+/** Bytes of a row with the final zero. */
+enum { ROW_SIZE = 128 };
+/** Most steps that a row is moved to the right. */
+enum { INDENT_MAXIMUM = 6 };
+
+void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, int y) {
+    Encoder encoder;
+    const RenderSettings *settings = &input->viewport->settings;
+    const Rgbd *color = &ray_view->ray_tree.nodes[0].color;
+    const RayFormulaInput formulas = {input->scene, &ray_view->ray_tree,
+                                      settings->trace.methods == 0};
+    encoder_init(&encoder, (Encoding)settings->encoding);
+    snprintf(ray_view->heading, sizeof ray_view->heading, gettext("Pixel %d %d: #%02x%02x%02x"), x,
+             y, (unsigned)encoder_encode(&encoder, (float)color->red),
+             (unsigned)encoder_encode(&encoder, (float)color->green),
+             (unsigned)encoder_encode(&encoder, (float)color->blue));
+    ray_formulas_write(&formulas, ray_view->selected, &ray_view->formulas);
+    ray_sum_write(&formulas, ray_view->selected, &ray_view->sum);
+}
+
+/* --- the list --------------------------------------------------------------------------------- */
+
+/** Describes a ray: its kind, and what it hits. */
+static void describe_ray(const RayTreeNode *ray, const Scene *scene, size_t index,
+                         char text[ROW_SIZE]) {
+    static const char *const kinds[] = {[RAY_CAMERA] = N_("camera: %s"),
+                                        [RAY_REFLECTION] = N_("mirrored: %s"),
+                                        [RAY_REFRACTION] = N_("refracted: %s")};
+    char name[RAY_HIT_NAME_SIZE];
+    int length = snprintf(text, ROW_SIZE, "%zu  ", index);
+    char *rest = text + length;
+    size_t size = ROW_SIZE - (size_t)length;
+    ray_hit_name(scene, ray, name);
+    if (ray->kind != RAY_SHADOW) {
+        snprintf(rest, size, gettext(kinds[ray->kind]), name);
+    } else if (ray->shape >= 0) {
+        snprintf(rest, size, gettext("lamp %d: behind %s"), ray->light + 1, name);
+    } else {
+        snprintf(rest, size, ray->is_hit ? gettext("lamp %d: dark") : gettext("lamp %d: lit"),
+                 ray->light + 1);
+    }
+}
+
+/** Splits a colour. @param color 0xRRGGBB. */
+static void split_color(unsigned color, unsigned char rgb[3]) {
+    rgb[0] = (unsigned char)(color >> 16);
+    rgb[1] = (unsigned char)(color >> 8);
+    rgb[2] = (unsigned char)color;
+}
+
+/** Shows the row of a ray. */
+static void show_row(RayView *ray_view, const Scene *scene, size_t index) {
+    const RayTreeNode *ray = &ray_view->ray_tree.nodes[index];
+    bool is_selected = index == ray_view->selected;
+    unsigned char rgb[3];
+    char text[ROW_SIZE];
+    split_color(ray_style(ray)->color, rgb);
+    describe_ray(ray, scene, index, text);
+    if (gui_list_row((int)index, text, SDL_min(ray->depth, INDENT_MAXIMUM), rgb, is_selected,
+                     is_selected && ray_view->is_row_revealed)) {
+        ray_view->request.has_ray = true;
+        ray_view->request.ray = index;
+    }
+}
+
+/** Shows the rows of the rays, or of those around the chosen one. */
+static void show_rows(RayView *ray_view, const Scene *scene) {
+    size_t count = ray_view->ray_tree.count, selected = ray_view->selected;
+    size_t first = selected > ROWS_MAXIMUM / 2 ? selected - ROWS_MAXIMUM / 2 : 0;
+    size_t last = SDL_min(first + ROWS_MAXIMUM, count);
+    for (size_t i = first; i < last; i++) {
+        if (!(ray_view->hidden_kinds >> ray_view->ray_tree.nodes[i].kind & 1)) {
+            show_row(ray_view, scene, i);
+        }
+    }
+    if (last - first < count) {
+        char text[ROW_SIZE];
+        snprintf(text, sizeof text, gettext("%zu to %zu of %zu rays"), first, last - 1, count);
+        gui_list_text("", text);
+    }
+    ray_view->is_row_revealed = false;
+}
+
+/** Shows the check boxes of the kinds of rays. */
+static void show_kinds(RayView *ray_view, const Help *help) {
+    static const struct {
+        const char *command; /**< What hides them. */
+        const char *label;   /**< In English. */
+        size_t style;        /**< Index of their style. */
+    } kinds[RAY_KINDS] = {[RAY_CAMERA] = {"camera rays", N_("camera"), 0},
+                          [RAY_SHADOW] = {"shadow rays", N_("shadow"), 3},
+                          [RAY_REFLECTION] = {"mirrored rays", N_("mirrored"), 1},
+                          [RAY_REFRACTION] = {"refracted rays", N_("refracted"), 2}};
+    for (size_t i = 0; i < RAY_KINDS; i++) {
+        char key[ROW_SIZE] = "";
+        unsigned char rgb[3];
+        split_color(i == RAY_CAMERA ? RAY_MARK_EYE : ray_styles()[kinds[i].style].color, rgb);
+        help_key_names(command_find(help->commands, kinds[i].command), help->by_letter, key,
+                       sizeof key);
+        if (gui_list_check(gettext(kinds[i].label), rgb, key, !(ray_view->hidden_kinds >> i & 1))) {
+            ray_view->request.command = kinds[i].command;
+        }
+    }
+}
+
+/** Shows formulas, one below the other. */
+static void show_formulas(const RayFormulas *formulas) {
+    for (size_t i = 0; i < formulas->count; i++) {
+        gui_list_text(formulas->items[i].label, formulas->items[i].text);
+    }
+    if (formulas->omitted > 0) {
+        char text[ROW_SIZE];
+        snprintf(text, sizeof text, gettext("and %zu more"), formulas->omitted);
+        gui_list_text("", text);
+    }
+}
+
+/** @return A rectangle as a corner. */
+static GuiPoint corner_of(const SDL_Rect *rect) {
+    return (GuiPoint){(float)rect->x, (float)rect->y};
+}
+
+/** @return A rectangle as a size. */
+static GuiPoint size_of(const SDL_Rect *rect) {
+    return (GuiPoint){(float)rect->w, (float)rect->h};
+}
+
+/** Shows the list of rays, and the sum below it. */
+static void show_list(RayView *ray_view, const Scene *scene, const Help *help,
+                      const SDL_Rect *rect) {
+    SDL_Rect upper = *rect, lower = *rect;
+    char text[ROW_SIZE];
+    upper.h = rect->h * 3 / 5;
+    lower.y += upper.h;
+    lower.h -= upper.h;
+    gui_list_begin("rays", corner_of(&upper), size_of(&upper));
+    gui_list_heading(ray_view->heading);
+    show_kinds(ray_view, help);
+    show_rows(ray_view, scene);
+    gui_list_end();
+    gui_list_begin("sum", corner_of(&lower), size_of(&lower));
+    snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
+    gui_list_heading(text);
+    show_formulas(&ray_view->sum);
+    gui_list_end();
+}
+
+/** Shows the formulas of the chosen ray, and how to leave. */
+static void show_chosen(RayView *ray_view, const SDL_Rect *rect) {
+    const RayTreeNode *ray = &ray_view->ray_tree.nodes[ray_view->selected];
+    char text[ROW_SIZE];
+    snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
+             gettext(ray_style(ray)->name));
+    gui_list_begin("formulas", corner_of(rect), size_of(rect));
+    gui_list_heading(text);
+    if (gui_button(gettext("next ray"), gettext("the next ray flies: Space"), false)) {
+        ray_view->request.command = "fly ray";
+    }
+    if (gui_button(gettext("back to the picture"), gettext("v, or Esc"), false)) {
+        ray_view->request.command = "rays";
+    }
+    show_formulas(&ray_view->formulas);
+    gui_list_end();
+}
+
+/* --- over the picture ------------------------------------------------------------------------- */
+
+/** Shows the chosen ray in flight. @param fraction How far, 0 to 1. */
+static void show_flight(const RayDrawing *drawing, const SDL_Rect *view, double scale,
+                        double fraction) {
+    ProjectedRay line;
+    unsigned char rgb[3];
+    if (fraction >= 1 || !ray_drawing_project(drawing, drawing->selected, &line)) {
+        return;
+    }
+    split_color(ray_style(&drawing->tree->nodes[drawing->selected])->color, rgb);
+    double x = line.x[0] + fraction * (line.x[1] - line.x[0]);
+    double y = line.y[0] + fraction * (line.y[1] - line.y[0]);
+    gui_flight(
+        (GuiPoint){(float)(view->x + line.x[0] / scale), (float)(view->y + line.y[0] / scale)},
+        (GuiPoint){(float)(view->x + x / scale), (float)(view->y + y / scale)}, rgb);
+}
+
+/** Shows the numbers of the rays. @param view In screen units. @param scale Pixels per unit. */
+static void show_numbers(const RayDrawing *drawing, const SDL_Rect *view, double scale) {
+    RayLabel labels[RAY_LABELS_MAXIMUM];
+    LabelBox boxes[RAY_LABELS_MAXIMUM];
+    size_t count = ray_drawing_labels(drawing, labels, boxes);
+    for (size_t i = 0; i < count; i++) {
+        boxes[i].from_x /= scale;
+        boxes[i].from_y /= scale;
+        boxes[i].to_x /= scale;
+        boxes[i].to_y /= scale;
+        boxes[i].width = (double)gui_text_width(labels[i].text);
+        boxes[i].height = (double)gui_text_size();
+    }
+    labels_place(boxes, count, view->w, view->h);
+    for (size_t i = count; i-- > 0;) {
+        const LabelBox *box = &boxes[i];
+        if (box->is_placed) {
+            GuiPoint anchor = {(float)(view->x + box->anchor_x), (float)(view->y + box->anchor_y)};
+            gui_label(labels[i].text, anchor,
+                      (GuiPoint){(float)(view->x + box->x), (float)(view->y + box->y)},
+                      labels[i].ray == drawing->selected);
+        }
+    }
+}
+
+void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *help,
+                           const SDL_Rect *area, double scale) {
+    RayViewLayout layout = ray_view_layout(ray_view, area);
+    SDL_Rect pixels = {0, 0, (int)(layout.view.w * scale), (int)(layout.view.h * scale)};
+    if (ray_view->ray_tree.count == 0) {
+        return;
+    }
+    RayDrawing drawing = ray_view_drawing(ray_view, &pixels);
+    show_flight(&drawing, &layout.view, scale, ray_view_flight(ray_view, clock_now_seconds()));
+    show_numbers(&drawing, &layout.view, scale);
+    show_list(ray_view, scene, help, &layout.list);
+    show_chosen(ray_view, &layout.formulas);
+}

@@ -1,0 +1,158 @@
+/**
+ * @file
+ * @brief Values over the picture: legends, rings around artefacts, the pixel under the mouse.
+ */
+#include "view/window.h"
+
+#include "view/panels/legend.h"
+#include "view/panels/pixel_readout.h"
+
+/** Radius of a ring, in heights of letters. */
+static const float RING_RADIUS = 0.8F;
+/** Room below a legend for the readout of one picture and of two, in heights of letters. */
+static const float READOUT_ROOMS[WINDOW_VIEWPORTS] = {2, 5};
+
+/* --- where things are ------------------------------------------------------------------------- */
+
+/** @return The picture's rectangle, screen units. */
+static SDL_Rect picture_units(const Window *window) {
+    return window_to_units(window, window_picture_rect(window));
+}
+
+/** @return Whether the picture is on screen, and nothing lies over it. */
+static bool is_picture_shown(const Window *window) {
+    return !window->help.is_open && !window->browser.is_open && !window->ray_view.is_open;
+}
+
+/** @return Whether the difference of two pictures is on screen. */
+static bool is_difference_shown(const Window *window) {
+    return window_viewport_count(window) > 1 && window->split.mode == SPLIT_DIFFERENCE;
+}
+
+/** Finds the pixel under the mouse. @return false if the mouse is not on the picture. */
+static bool pixel_under_mouse(const Window *window, int *column, int *row) {
+    const Viewport *viewport = &window->viewports[0];
+    int x = 0, y = 0;
+    double right, down;
+    SDL_GetMouseState(&x, &y);
+    if (SDL_GetMouseFocus() != window->sdl.window ||
+        !window_picture_position(window, x, y, &right, &down)) {
+        return false;
+    }
+    *column = (int)(right * viewport->width);
+    *row = (int)(down * viewport->height);
+    return true;
+}
+
+/* --- legends ---------------------------------------------------------------------------------- */
+
+/** Draws a legend. @param area The window without its bar, screen units. */
+static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area, bool is_right) {
+    GuiSwatch swatches[LEGEND_ENTRIES_MAXIMUM];
+    const char *notes[LEGEND_NOTES];
+    for (size_t i = 0; i < legend->entry_count; i++) {
+        swatches[i] = (GuiSwatch){.position = (float)legend->entries[i].position,
+                                  .text = legend->texts[i]};
+        memcpy(swatches[i].rgb, legend->entries[i].rgb, sizeof swatches[i].rgb);
+    }
+    for (size_t i = 0; i < legend->note_count; i++) {
+        notes[i] = legend->notes[i];
+    }
+    GuiLegend drawn = {.title = legend->title,
+                       .unit = legend->unit,
+                       .bar = legend->bar,
+                       .bar_count = legend->has_bar ? LEGEND_BAR_COLORS : 0,
+                       .swatches = swatches,
+                       .swatch_count = (int)legend->entry_count,
+                       .notes = notes,
+                       .note_count = (int)legend->note_count};
+    float gap = READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size();
+    GuiPoint corner = {(float)(is_right ? area->x + area->w : area->x),
+                       (float)(area->y + area->h) - gap};
+    gui_legend(&drawn, corner, (float)area->h - gap, is_right);
+}
+
+/** Shows the legend of each picture, or that of their difference. */
+static void show_legends(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    bool is_difference = is_difference_shown(window);
+    size_t count = is_difference ? 1 : window_viewport_count(window);
+    for (size_t i = 0; i < count; i++) {
+        const Viewport *viewport = &window->viewports[i];
+        Legend legend;
+        LegendContent content = {.scene = window->state.scene,
+                                 .report = &viewport->report,
+                                 .settings = &viewport->settings,
+                                 .marks = &viewport->marks,
+                                 .difference = is_difference ? &window->split.difference : NULL,
+                                 .progress = renderer_progress(viewport->renderer)};
+        legend_write(&content, &legend);
+        if (legend.title[0] != '\0') {
+            draw_legend(window, &legend, &area, count == 1 || i == 1);
+        }
+    }
+}
+
+/* --- rings ------------------------------------------------------------------------------------ */
+
+/** Shows rings around the artefacts of a picture. @param columns Those that are seen of it: the
+ *  first one, and the one after the last. */
+static void show_rings(const Window *window, const Viewport *viewport, const int columns[2]) {
+    SDL_Rect picture = picture_units(window);
+    for (size_t i = 0; i < viewport->marks.count; i++) {
+        int x = viewport->marks.x[i], y = viewport->marks.y[i];
+        double right = (x + 0.5) / viewport->width, down = (y + 0.5) / viewport->height;
+        if (x >= columns[0] && x < columns[1]) {
+            gui_ring((GuiPoint){(float)(picture.x + right * picture.w),
+                                (float)(picture.y + down * picture.h)},
+                     RING_RADIUS * gui_text_size());
+        }
+    }
+}
+
+/** Shows rings around the artefacts of all pictures that are seen. */
+static void show_all_rings(const Window *window) {
+    int width = window->viewports[0].width;
+    if (window_viewport_count(window) == 1) {
+        show_rings(window, &window->viewports[0], (const int[]){0, width});
+    } else if (!is_difference_shown(window)) {
+        int bar = split_view_column(&window->split, width);
+        show_rings(window, &window->viewports[0], (const int[]){0, bar});
+        show_rings(window, &window->viewports[1], (const int[]){bar, width});
+    }
+}
+
+/* --- one pixel -------------------------------------------------------------------------------- */
+
+/** Reads a pixel of all pictures. @return false if one has no pass yet. */
+static bool read_pixels(const Window *window, int x, int y, PixelReadout *readout) {
+    *readout = (PixelReadout){.scene = window->state.scene, .x = x, .y = y};
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        Renderer *renderer = window->viewports[i].renderer;
+        if (!renderer || !renderer_read_pixel(renderer, x, y, &readout->readings[i])) {
+            return false;
+        }
+        readout->count++;
+    }
+    return true;
+}
+
+void window_show_readout(const Window *window) {
+    int x = 0, y = 0, width = 0, height = 0;
+    PixelReadout readout;
+    char text[READOUT_SIZE];
+    if (!is_picture_shown(window) || window->hint.text[0] != '\0' ||
+        !pixel_under_mouse(window, &x, &y) || !read_pixels(window, x, y, &readout)) {
+        return;
+    }
+    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    pixel_readout_write(&readout, text);
+    gui_readout(text, readout.readings[0].rgb, (GuiPoint){0, (float)height});
+}
+
+void window_show_values(const Window *window) {
+    if (is_picture_shown(window)) {
+        show_all_rings(window);
+        show_legends(window);
+    }
+}

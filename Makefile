@@ -185,7 +185,7 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
 COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
-WEB_PACKAGES  := emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
+WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
 WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 

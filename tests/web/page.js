@@ -83,7 +83,8 @@ const testBits = async (browser, url) => {
   const page = await browser.newPage();
   await page.route("**/empty.html", (route) => route.fulfill({ contentType: "text/html", body: "<!DOCTYPE html>",
     headers: { "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp" } }));
-  const names = fs.readdirSync("scenes").filter((name) => name.endsWith(".lua"));
+  const names = process.env.SCENES ? process.env.SCENES.split(" ")
+    : fs.readdirSync("scenes").filter((name) => name.endsWith(".lua"));
   const engines = process.env.ENGINES ? process.env.ENGINES.split(" ") : ENGINES;
   let equal = 0;
   for (const name of names) {

@@ -166,8 +166,15 @@ const listen = () => {
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", drop);
   setInterval(offerFiles, 500);
-  // The window follows its element, not the browser's window alone.
-  new ResizeObserver(() => window.dispatchEvent(new Event("resize"))).observe($("stage"));
+  // The window follows its element: when the page changes its size, and when the program asks for another.
+  const canvas = $("canvas"), fit = () => window.dispatchEvent(new Event("resize"));
+  new ResizeObserver(fit).observe($("stage"));
+  new MutationObserver(() => {
+    if (Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) > 1 ||
+        Math.abs(canvas.height - canvas.clientHeight * devicePixelRatio) > 1) {
+      setTimeout(fit, 0);
+    }
+  }).observe(canvas, { attributeFilter: ["width", "height"] });
 };
 
 /** Fetches pictures and models once the first picture is there. */
@@ -190,6 +197,7 @@ const createModule = (files, opened) => ({
     Module.ENV.LANGUAGE = Module.ENV.LANG = isFrench ? "fr" : "en";
     Module.ENV.SDL_RENDER_DRIVER = "software";
     Module.ENV.SDL_EMSCRIPTEN_KEYBOARD_ELEMENT = "#canvas";
+    Module.FS.chdir("/home/web_user"); // Where snapshots go, see offerFiles().
     for (const folder of ["/scenes/pictures", "/scenes/models"]) {
       Module.FS.mkdirTree(folder);
     }

@@ -37,7 +37,7 @@ NO_VTABLES := $(if $(findstring undefined,$(SANITIZE)),-fno-sanitize=vptr)
 PKG_CFLAGS = $(shell pkg-config --cflags $(1) 2>/dev/null)
 PKG_LIBS   = $(shell pkg-config --libs $(1) 2>/dev/null)
 # Asked once: a make that installs packages runs a make of its own afterwards.
-ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 SDL2_ttf lua5.4 cairo)
+ROOM_CFLAGS := $(call PKG_CFLAGS,sdl2 lua5.4 cairo)
 # $(call NEED,LIBRARY,PACKAGE): stops with the package's name and not with a compiler's error.
 NEED = @pkg-config --exists $(1) 2>/dev/null || { \
     echo "$(1) is missing: sudo apt-get install pkg-config $(2), or make run, which does that" >&2; exit 1; }
@@ -92,7 +92,7 @@ MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
 # The interface is C++ (src/view/gui/gui.cpp), for Dear ImGui.
-LIBRARIES     = $(call PKG_LIBS,sdl2 SDL2_ttf lua5.4 cairo imgui) -ldl -lm -lstdc++ -pthread
+LIBRARIES     = $(call PKG_LIBS,sdl2 lua5.4 cairo imgui) -ldl -lm -lstdc++ -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
@@ -130,7 +130,6 @@ $(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
 .PHONY: libraries
 libraries:
 	$(call NEED,sdl2,libsdl2-dev)
-	$(call NEED,SDL2_ttf,libsdl2-ttf-dev)
 	$(call NEED,lua5.4,liblua5.4-dev)
 	$(call NEED,cairo,libcairo2-dev)
 	$(call NEED,imgui,libimgui-dev)
@@ -148,7 +147,7 @@ $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
 $(GUI_OBJECT): src/view/gui/gui.cpp $(FLAGS) | libraries
 	@mkdir -p $(@D)
-	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(filter-out -fvisibility=hidden,$(CXXFLAGS)) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 
@@ -177,7 +176,7 @@ $(OBJ)/src/lab/charts/csv.o: CPPFLAGS += -DDIOPTRE_FLAGS='"$(OPTIMIZE) $(ARITHME
 -include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
 
 # --- packages: what a bare Debian 12 with gcc and make lacks --------------------------------------
-RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev libsdl2-ttf-dev liblua5.4-dev libcairo2-dev libimgui-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
+RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev liblua5.4-dev libcairo2-dev libimgui-dev libopenimageio-dev libassimp-dev fonts-dejavu-core
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \

@@ -56,3 +56,6 @@ quad {
   corner = {0.05, -1.2, -1.65}, u = {1.7, 0, 0.1}, v = {-0.1, 1.6, -0.3},
   material = material { color = {0.90, 0.62, 0.03} },
 }
+
+-- en: A box of green walls with a mirroring ball and a mirroring cube.
+-- fr: Une boîte aux murs verts, une boule et un cube qui font miroir.

@@ -69,3 +69,6 @@ for i = 1, 400 do
   disk { center = {x, 0.05, z}, normal = {0, 1, 0.5}, radius = 0.035, material = white }
   sphere { center = {x, 0.055, z}, radius = 0.014, material = yellow }
 end
+
+-- en: A cow of 5856 triangles on a pasture, with calves and neighbours.
+-- fr: Une vache de 5856 triangles dans son pré, avec veaux et voisines.

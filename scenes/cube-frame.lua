@@ -14,3 +14,6 @@ local frame = distance.box_frame { size = {1.2, 1.2, 1.2}, edge = 0.14 }
 sdf { frame:translate{0, 0.6, 0}, material = material { color = "#e0582a" } }
 sdf { distance.sphere { radius = 0.6 }:translate{-1.6, 0.6, -0.3}, material = material { color = "#4a8fd8" } }
 sdf { distance.box { size = {1.1, 1.1, 1.1} }:translate{1.6, 0.55, -0.3}, material = material { color = "#e8c547" } }
+
+-- en: The frame of a cube, a sphere and a cube, by sphere tracing.
+-- fr: L'armature d'un cube, une sphère et un cube, par lancer de sphères.

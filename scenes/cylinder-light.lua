@@ -45,3 +45,6 @@ sphere { center = {1.2, 0.88, 0.25}, radius = 0.13, material = glazed }
 cylinder { base = {2.15, 0, 0.2}, top = {2.15, 0.08, 0.2}, radius = 0.28, material = steel }
 cylinder_light { base = {2.15, 0.12, 0.2}, top = {2.15, 1.35, 0.2}, radius = 0.11, color = {1, 0.78, 0.5}, intensity = 1.3,
   falloff = "inverse_square" }
+
+-- en: Cylinders that glow: neon tubes and a standing lamp.
+-- fr: Des cylindres qui éclairent : des néons et un lampadaire.

@@ -18,3 +18,6 @@ sphere {
 sphere {   -- the moon, far too near
   center = {1.75, 0.7, 0.75}, radius = 0.2, material = material { color = "#9a948c" },
 }
+
+-- en: The earth and the moon before the Milky Way; Space turns the earth.
+-- fr: La Terre et la Lune devant la Voie lactée ; Espace fait tourner la Terre.

@@ -14,3 +14,6 @@ sky { color = {0.02, 0.03, 0.06} }
 
 local frame = distance.box_frame { size = {1, 1, 1}, edge = 0.12 }:rotate{20 + 40 * t % 360, 25, 20 * t % 360}
 sdf { frame:repeat_every{2.5, 2.5, 2.5}, material = material { color = "#e0782a" } }
+
+-- en: Frames of cubes without end, which turn with the time.
+-- fr: Des armatures de cubes à l'infini, qui tournent avec le temps.

@@ -51,3 +51,6 @@ box {
   min = {-0.55, -1, -1.35}, max = {0.15, -0.3, -0.65},
   material = material { color = {0.90, 0.88, 0.84}, specular = 0.2, shininess = 30 },
 }
+
+-- en: Two mirrors that face each other.
+-- fr: Deux miroirs face à face.

@@ -20,3 +20,6 @@ light { position = {10, 0, -17}, color = {0, 0, 1}, intensity = too_bright }
 -- It is blue, so the red light cannot be seen on it at all.
 sphere { center = {-3, 0, -20}, radius = 1, material = material { color = {0, 0, 1} } }
 sphere { center = { 0, 0, -32}, radius = 5, material = material { color = {1, 1, 1} } }
+
+-- en: Shadows, and two lights whose colours add up.
+-- fr: Des ombres, et deux lumières dont les couleurs s'ajoutent.

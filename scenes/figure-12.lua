@@ -25,3 +25,6 @@ cylinder {
   base = {0, -1, 0}, top = {0, -0.756, 0}, radius = 1.2,
   material = material { color = "#a9b4bd" },
 }
+
+-- en: A mesh of flat triangles.
+-- fr: Un maillage de triangles plats.

@@ -28,3 +28,6 @@ for i, normals in ipairs { "flat", "smooth" } do
   }
   cylinder { base = {x, -1, 0}, top = {x, -0.756, 0}, radius = 1, material = stone }
 end
+
+-- en: The same mesh with flat and with interpolated normals.
+-- fr: Le même maillage, aux normales constantes et interpolées.

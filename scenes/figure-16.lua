@@ -45,3 +45,6 @@ for i, color in ipairs { "#e6332a", "#ffd500", "#3aaa35", "#1d71b8", "#8a3fa0" }
     material = mirror(color, 0.25),
   }
 end
+
+-- en: Mirrors between meshes and spheres.
+-- fr: Des miroirs entre maillages et sphères.

@@ -20,3 +20,6 @@ sphere {   -- tilted as the earth is, and turned with the hours
   radius = 1.15, rotate = {0, 15 * t - 20, -23.4}, translate = {1.35, 0, 0},
   material = material { texture = "pictures/earth.jpg" },
 }
+
+-- en: A die and the earth, with textures.
+-- fr: Un dé et la Terre, avec des textures.

@@ -13,3 +13,6 @@ quad { corner = {-4.3, -1.1, -3.1}, u = {8.6, 0, 0}, v = {0, 0, 6.2}, material =
 quad { corner = {-4.3, -1.1, -3.1}, u = {8.6, 0, 0}, v = {0, 4.4, 0.7}, material = matt(0.13, 0.45, 0.3) }
 sphere { center = {-0.9, -0.1, 0.3}, radius = 1, material = matt(0.8, 0.15, 0.1) }
 quad { corner = {0.5, -1.1, -0.7}, u = {1.3, 0, 0.6}, v = {0.2, 1.7, -0.3}, material = matt(0.85, 0.7, 0.1) }
+
+-- en: Walls that would be strewn with shadow acne without an offset.
+-- fr: Des murs qui seraient couverts d'acné d'ombre sans décalage.

@@ -54,3 +54,6 @@ sphere { center = {-1.6, 0.452, 0.7}, radius = 0.45, material = glass }
 sphere { center = {-1.3, 0.55, -2.2}, radius = 0.55, material = material { color = {0.95, 0.50, 0.06}, specular = 0.2 } }
 sphere { radius = 0.42, scale = {1.35, 1, 1}, rotate = {0, 25, 0}, translate = {1.5, 0.42, -1.8},
          material = material { color = {0.93, 0.82, 0.12}, specular = 0.2 } }
+
+-- en: A glass of water: three media that touch one another.
+-- fr: Un verre d'eau : trois milieux qui se touchent.

@@ -35,3 +35,6 @@ end
 
 -- The ball. Its lamp-light goes through, so its shadow is a faint one: each surface keeps 4 %.
 sphere { center = {0, 1, 0}, radius = 1, material = material { transparency = 0.96, ior = ior, specular = 1, shininess = 400 } }
+
+-- en: A glass ball, which turns what is behind it upside down.
+-- fr: Une boule de verre, qui renverse ce qui est derrière elle.

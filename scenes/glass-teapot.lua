@@ -16,3 +16,6 @@ mesh {
   file = "models/teapot.obj", normals = "smooth", rotate = {0, -25, 0}, translate = {0, 0.002, 0},
   material = material { color = 0, transparency = {0.97, 0.98, 0.97}, ior = 1.5, specular = 0.5, shininess = 300 },
 }
+
+-- en: A teapot of glass on a polished table in a garden.
+-- fr: Une théière de verre sur une table polie dans un jardin.

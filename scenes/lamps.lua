@@ -24,3 +24,6 @@ quad { corner = {-2.5, 0.3, -2.59}, u = {5, 0, 0}, v = {0, 2.5, 0}, material = m
 sphere { center = {-0.5, 0.55, 0.4}, radius = 0.55, material = material { color = {0.1, 0.1, 0.1}, reflectivity = 0.7, specular = 0.3 } }
 cylinder { base = {0.75, 0, -0.5}, top = {0.75, 1.1, -0.5}, radius = 0.32, material = plaster }
 box { min = {-1.5, 0, 1.0}, max = {-1.0, 0.5, 1.5}, material = plaster }
+
+-- en: Three glowing balls in a room with a mirror.
+-- fr: Trois boules lumineuses dans une pièce avec un miroir.

@@ -28,3 +28,6 @@ for i, paint in ipairs(modes) do
   box { min = {-0.28, 0, -0.28}, max = {0.28, 0.56, 0.28}, rotate = {0, 30, 0}, translate = {x + 0.45, 0, 0.55},
         material = paint "#2a8a4a" }
 end
+
+-- en: No light, light and ambient light, light alone.
+-- fr: Sans lumière, lumière et lumière ambiante, lumière seule.

@@ -9,3 +9,6 @@ sky { horizon = {0.75, 0.85, 0.95}, zenith = {0.2, 0.42, 0.8} }
 
 sdf { distance.mandelbulb { power = 8, iterations = 8 }:rotate{20, 30 * t % 360, 0}, tolerance = 3e-4,
       material = material { color = "#e0a070" } }
+
+-- en: A Mandelbulb: a fractal in space, by sphere tracing.
+-- fr: Un Mandelbulb : une fractale dans l'espace, par lancer de sphères.

@@ -23,3 +23,6 @@ sdf { ring:rotate{70, 20, 0}:translate{1.75, 0.6, 0.3},
       material = material { color = 0.02, transparency = 0.95, ior = 1.5, specular = 0.6 } }
 sdf { distance.intersection(drop:scale(1.3), distance.box { size = {1, 1, 1} }):translate{0.6, 0.5, -1.6},
       material = material { color = {0.1, 0.1, 0.12}, reflectivity = 0.8 } }
+
+-- en: Distance functions that blend into one another, as mirror and glass.
+-- fr: Des fonctions de distance qui se fondent, en miroir et en verre.

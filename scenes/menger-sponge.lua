@@ -11,3 +11,6 @@ plane { material = material { color = {0.45, 0.6, 0.4} } }
 local steps = t > 0 and math.min(math.floor(t), 6) or 4
 sdf { distance.menger { size = 1, iterations = steps }:translate{0, 0.5, 0},
       material = material { color = "#e8c98a" } }
+
+-- en: A Menger sponge; the time takes the steps, from 0 to 6.
+-- fr: Une éponge de Menger ; le temps donne les étapes, de 0 à 6.

@@ -28,3 +28,6 @@ for i, color in ipairs(colors) do
            material = material { color = color, specular = 0.7, shininess = 90, reflectivity = 0.1 } }
 end
 cylinder { base = {0, 0, 0}, top = {0, 0.42, 0}, radius = 0.14, material = material { color = "#f4f0e6", specular = 0.4 } }
+
+-- en: Three mirrors in a triangle make a few balls a field without end.
+-- fr: Trois miroirs en triangle font de quelques boules un champ sans fin.

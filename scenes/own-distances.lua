@@ -51,3 +51,6 @@ sdf { function(x, y, z)
 
 -- A row without end: the remainder of a division puts every point into the cell around zero.
 sdf { function(x, y, z) return ball((x + 0.5) % 1 - 0.5, y - 0.3, z + 3, 0.3) end, material = material { color = 0.8 } }
+
+-- en: Surfaces from distance functions that the scene writes itself.
+-- fr: Des surfaces par des fonctions de distance que la scène écrit elle-même.

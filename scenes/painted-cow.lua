@@ -22,3 +22,6 @@ box {   -- the mirror
   min = {-0.9, 0, -0.03}, max = {0.9, 1.8, 0.03}, rotate = {0, 62, 0}, translate = {-1.05, 0, -0.35},
   material = material { color = 0.02, reflectivity = 0.9 },
 }
+
+-- en: A painted cow before a mirror in a park.
+-- fr: Une vache peinte devant un miroir dans un parc.

@@ -52,3 +52,6 @@ for i = 1, 24 do
   local lean, tall = 0.25 * math.sin(5 * i), 1.2 + 0.5 * math.sin(3 * i)
   cylinder { base = {x, -1.1, z}, top = {x + lean, tall, z + 0.3 * lean}, radius = 0.016, material = reed }
 end
+
+-- en: A pond at sunset: balls that float, half under water.
+-- fr: Un étang au coucher du soleil : des boules flottent à moitié sous l'eau.

@@ -44,3 +44,6 @@ cylinder { base = {0.55, 0, -0.2}, top = {0.55, 0.9, -0.2}, radius = 0.3, materi
 sphere { center = {0.55, 1.2, -0.2}, radius = 0.3, material = gold }
 sphere { center = {-0.2, 0.32, 0.75}, radius = 0.32, material = blue }
 sphere { center = {1.45, 0.26, 0.65}, radius = 0.26, material = gold }
+
+-- en: Rectangles that glow: a gallery at night.
+-- fr: Des rectangles qui éclairent : une galerie la nuit.

@@ -25,3 +25,6 @@ for i, ior in ipairs { 1.33, 1.5, 2.42 } do
   sphere { center = {1.45 * i - 3.35, 0.66, 0}, radius = 0.66, material = clear(ior) }
 end
 cylinder { base = {2.35, 0.003, -0.3}, top = {2.35, 1.9, -0.3}, radius = 0.5, material = clear(1.5) }
+
+-- en: Balls of water, glass and diamond, and the pictures behind them.
+-- fr: Des boules d'eau, de verre et de diamant, et les images derrière elles.

@@ -29,3 +29,6 @@ cylinder {
   base = {-1.15, 0, 0.75}, top = {-1.15, 0.75, 0.75}, radius = 0.38,
   material = material { texture = "pictures/rosewood.jpg", specular = 0.3 },
 }
+
+-- en: Pictures on a rectangle, on the floor, on a sphere and in the sky.
+-- fr: Des images sur un rectangle, au sol, sur une sphère et au ciel.

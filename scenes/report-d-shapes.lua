@@ -77,3 +77,6 @@ for i, tint in ipairs { "#f4ede0", "#e9d3b4", "#cfa98a" } do
     translate = {0.15 + 0.42 * i, 0.19, 1.95 - 0.12 * i}, material = gloss(tint, 0.03),
   }
 end
+
+-- en: A disk, a cylinder, a rectangle, a triangle and a floor.
+-- fr: Un disque, un cylindre, un rectangle, un triangle et un sol.

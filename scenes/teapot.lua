@@ -53,3 +53,6 @@ lump(20, {0.60, 0.0, 3.40})
 lump(55, {1.15, 0.0, 3.20})
 lump( 5, {0.88, 0.4, 3.28})
 lump(70, {1.75, 0.0, 3.90})
+
+-- en: The Utah teapot, the best known model of computer graphics.
+-- fr: La théière de l'Utah, le modèle le plus connu de l'image de synthèse.

@@ -20,3 +20,6 @@ box { min = {-0.45, -0.45, -0.45}, max = {0.45, 0.45, 0.45}, rotate = {0, 30, 0}
       translate = {0, 0.45, -0.9}, material = yellow }
 sdf { distance.sphere { radius = 0.5 }:translate{1.4, 0.5, 0.7}, material = mirror }
 sphere { center = {1.4, 0.5, -0.9}, radius = 0.5, material = mirror }
+
+-- en: Each shape twice: solved by its equation, and marched.
+-- fr: Chaque forme deux fois : résolue par son équation, et par pas de distance.

@@ -5,17 +5,6 @@
 box=$root/scenes/box.lua
 with_bar=yes
 
-# view_of: takes a snapshot and sets `shot` to its path and `view` to its scene text.
-view_of() {
-    local before
-    before=$(wc -l <"$work/log")
-    xdotool key p
-    for _ in {1..600}; do
-        [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.02
-    done
-    view=$(tail -1 "$work/log")
-    shot=$work/shots/${view##*-- }
-}
 light() { sed 's/.*light { position = {\([^}]*\)}.*/\1/' <<<"$view" | tr -d ','; }
 
 start_server
@@ -24,7 +13,7 @@ settled
 tall=$(height)
 [ "$tall" -gt 600 ] && ok 'the bar does not take the picture its place' || fail "the window is $tall high"
 "$dioptre" render "$box" --samples 1 -o "$work/render.bmp"
-view_of
+shoot
 same "$shot" "$work/render.bmp" 'a snapshot under the bar equals render'
 
 # --- marks of lights ---------------------------------------------------------------------------------
@@ -33,7 +22,7 @@ was=($(light))
 top=$((tall - 600))
 xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1
 xdotool mousemove --window "$window" 340 $((top + 60)) mousemove --window "$window" 300 $((top + 150)) mouseup 1
-view_of
+shoot
 now=($(light))
 awk "BEGIN { exit !(${now[0]} < ${was[0]} - 0.1 && ${now[1]} < ${was[1]} - 0.1) }" &&
     ok 'a light is dragged by its mark' || fail "the light went from ${was[*]} to ${now[*]}"
@@ -42,7 +31,7 @@ awk "BEGIN { d = ${now[2]} - ${was[2]}; exit !(d < 1e-9 && d > -1e-9) }" &&
 xdotool keydown shift mousemove --window "$window" 300 $((top + 150)) mousedown 1 \
     mousemove --window "$window" 300 $((top + 140)) mousemove --window "$window" 300 $((top + 120)) mouseup 1 keyup shift
 was=("${now[@]}")
-view_of
+shoot
 now=($(light))
 awk "BEGIN { exit !(${now[2]} < ${was[2]} - 0.1 && ${now[0]} - ${was[0]} < 0.01) }" &&
     ok 'with Shift along the direction of view' || fail "the light went from ${was[*]} to ${now[*]}"
@@ -53,13 +42,13 @@ xdotool key 3
 shown 'distance.*finished'
 before=$(wc -l <"$work/log")
 xdotool key shift+p
-for _ in {1..600}; do [ "$(wc -l <"$work/log")" -gt "$before" ] && break || sleep 0.05; done
+within has_lines "$work/log" "$before"
 seen=$work/shots/$(tail -1 "$work/log")
 [ "$(identify -format '%wx%h %m' "$seen")" = '800x600 PNG' ] && ok 'Shift P saves the screen as PNG' ||
     fail "it is $(identify "$seen" 2>&1)"
 identify -format '%[dioptre:view] %[*]' "$seen" 2>/dev/null | cat - <(strings "$seen") >"$work/words"
 grep -q 'camera { position' "$work/words" && ok 'with the view in its metadata' || fail "$(head -c 300 "$work/words")"
-view_of
+shoot
 "$dioptre" compare "$seen" "$shot" >/dev/null && fail 'the legend is in the picture' || ok 'the legend is in the picture'
 xdotool key 1
 shown 'pass 1 px.*finished'
@@ -70,14 +59,11 @@ expect_shown 'recording' 'r records'
 xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1 \
     mousemove --window "$window" 430 $((top + 90)) mousemove --window "$window" 470 $((top + 130)) mouseup 1
 xdotool key n
-view_of
+shoot
 kept=$shot
 xdotool key r
-lesson=
-for _ in {1..200}; do
-    lesson=$(sed -n 's/.*\(box-lesson-[0-9]*\.lua\)$/\1/p' "$work/log" | tail -1)
-    [ -n "$lesson" ] && break || sleep 0.02
-done
+has_lesson() { lesson=$(sed -n 's/.*\(box-lesson-[0-9]*\.lua\)$/\1/p' "$work/log" | tail -1) && [ -n "$lesson" ]; }
+within has_lesson
 grep -q '^drag(1, ' "$work/shots/$lesson" && ok 'a lesson records the drag' || fail "no drag in $lesson"
 leave
 mkdir -p "$work/replay"
@@ -89,11 +75,11 @@ same "$kept" "$(ls "$work"/replay/*.bmp | head -1)" 'to the bit'
 open "$box" --samples 1
 settled
 # The list of layers is wide, third in the first row; its second entry lies two rows below it.
-xdotool mousemove --window "$window" 220 18 click 1
+xdotool mousemove --window "$window" 220 24 click 1
 settled
-xdotool mousemove --window "$window" 220 66 click 1
+xdotool mousemove --window "$window" 220 94 click 1
 expect_shown 'normals.*finished' 'a list of the bar chooses a layer'
-xdotool mousemove --window "$window" 220 18 click 1
+xdotool mousemove --window "$window" 220 24 click 1
 settled
 xdotool key Escape
 settled
@@ -101,7 +87,7 @@ shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title sa
 xdotool key Escape
 expect_shown 'pass 1 px.*finished' 'Esc again: the light'
 # The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.
-xdotool mousemove --window "$window" 420 18 mousedown 1 mousemove --window "$window" 470 18
+xdotool mousemove --window "$window" 520 24 mousedown 1 mousemove --window "$window" 560 24
 epsilon() { title | sed -n 's/.*epsilon \([0-9.e-]*\).*/\1/p'; }
 shown 'offset fixed, epsilon'
 settled
@@ -115,7 +101,7 @@ xdotool key F2
 settled
 [ "$(height)" -lt "$tall" ] && ok 'F2 folds the bar' || fail "the window is $(height) high"
 xdotool mousemove --window "$window" 24 20 click 1
-for _ in {1..100}; do [ "$(height)" -ge "$tall" ] && break || sleep 0.03; done
-[ "$(height)" -ge "$tall" ] && ok 'its button unfolds it' || fail "the window is $(height) high"
+is_tall() { [ "$(height)" -ge "$tall" ]; }
+within is_tall && ok 'its button unfolds it' || fail "the window is $(height) high"
 leave
 exit $((failures > 0))

@@ -202,6 +202,27 @@ ended "$pid" && fail 'Esc asks' || ok 'Esc asks'
 xdotool key Escape && sleep 0.3
 ended "$pid" && fail 'Esc again ends the lesson alone' || ok 'Esc again ends the lesson alone'
 leave
+
+# --- from one lesson to the next ----------------------------------------------------------------------
+mkdir "$work/set"
+echo "lesson { scene = \"$box\", size = {400, 300}, samples = 1 } caption { en = \"One\", wait = true }" >"$work/set/a.lua"
+echo 'sphere {}' >"$work/set/b.lua" # A scene, and no lesson.
+echo "lesson { scene = \"$root/scenes/figure-c4.lua\", size = {400, 300}, samples = 2, depth = 3 }
+ask { en = \"Two?\", choices = { \"a\", \"b\" }, right = 1, because = \"So.\" } press \"deeper\"" >"$work/set/c.lua"
+with_bar=1 open "$work/set/a.lua" --answers "$work/set.csv"
+expect_shown '^box.*finished' 'the first lesson'
+xdotool key space
+expect_shown 'the lesson is over' 'it ends'
+xdotool key space 1
+expect_shown '^figure-c4.*finished' '1 opens the next lesson with its scene'
+xdotool key 2
+in_set() { [ "$(wc -l <"$work/set.csv")" = "$1" ]; }
+within in_set 2 && sleep 0.5
+[ "$(tail -1 "$work/set.csv" | cut -d, -f2-)" = '"c",1,2,0' ] && ok 'which asks' || fail "$(cat "$work/set.csv")"
+xdotool key space
+expect_shown 'the lesson is over' 'and ends'
+xdotool key 1 f && sleep 0.5 && xdotool key Escape && sleep 0.3 # There is no next one; the list of scenes.
+leave
 expect 1 'cannot write' 'a folder that is not there' timeout 60 "$dioptre" view --lesson "$work/lesson.lua" --lesson-snapshots "$work/nowhere"
 
 # --- recorded --------------------------------------------------------------------------------------
@@ -230,6 +251,7 @@ xdotool key Escape
 closed 'closed while it records, when asked twice' 0
 lesson=$work/shots/box-lesson-0002.lua
 holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption that was typed'
+holds "$lesson" '^  scene = "\.\./.*box.lua",$' 'the scene as seen from the lesson'
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
 holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'

@@ -106,6 +106,24 @@ expect 0 '' 'probe --svg' "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $siz
 holds "$work/rays.svg" '^<svg xmlns' 'a drawing'
 holds "$work/rays.svg" '^</svg>$' 'all of it'
 holds "$work/rays.svg" 'refracted ray' 'its legend'
+holds "$work/rays.svg" 'width="1500' 'a plan beside it'
+expect 0 '' 'probe --ray' "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 4 --svg "$work/ray.svg"
+holds "$work/out" '^Ray 4: refracted ray$' 'which ray'
+holds "$work/out" '^  refraction +n1 sin a = n2 sin b: 1 × sin [0-9.]+° = 1.5 × sin [0-9.]+° = [0-9.]+$' 'Snell'"'"'s law with numbers'
+holds "$work/out" '^  point +o \+ t d = \(.*\) \+ [0-9.]+ \(.*\) = \(.*\)$' 'its point'
+holds "$work/out" '^  = ray 4 ' 'its sum'
+[ "$(sed -n 's/.*height="\([0-9]*\).*/\1/p' "$work/ray.svg" | head -1)" = 1110 ] && ok 'formulas below it' || fail 'no formulas below it'
+"$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 0 >"$work/out"
+# Fresnel's formula again, from the angle that is told.
+awk '/cos a = /{ sub(/.*cos a = −d·n = /, ""); sub(/,.*/, ""); c = $0 }
+    /Fresnel/{ told = $8; s = sqrt(1 - c * c) / 1.5; t = sqrt(1 - s * s)
+        a = (c - 1.5 * t) / (c + 1.5 * t); b = (1.5 * c - t) / (1.5 * c + t); r = (a * a + b * b) / 2
+        off = told > r ? told - r : r - told; print off < 2e-4 ? "as computed" : "off by " off " from " r }' \
+    "$work/out" >"$work/fresnel"
+holds "$work/fresnel" '^as computed$' 'Fresnel'"'"'s share'
+expect 0 '' 'a march' "$dioptre" probe scenes/menger-sponge.lua 80 60 -s $size --ray 0 --svg "$work/march.svg" -q
+holds "$work/march.svg" '^</svg>$' 'the march as a drawing'
+expect 2 'ray must be from 0 to' 'a ray that is not there' "$dioptre" probe $box 1 1 -s $size --ray 999
 mkdir "$work/closed"
 expect 1 'cannot write' 'svg into a folder that is not there' "$dioptre" probe $box 1 1 --svg "$work/none/rays.svg"
 expect 1 'cannot write' 'svg over a folder' "$dioptre" probe $box 1 1 --svg "$work/closed"

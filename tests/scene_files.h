@@ -9,9 +9,6 @@
 
 #include "script/script_worker.h"
 
-/** Number of items of an array. */
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 // --- a test shape, so that these tests do not depend on the tracer -------------------------------
 
 /** A shape with a field of every type. */

@@ -91,6 +91,15 @@ screen() { import -window "$window" "$work/$1.ppm"; }
 # settled: waits until the window shows the same twice.
 settled() { within is_quiet; }
 is_quiet() { screen a && sleep 0.3 && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"; }
+# shoot: takes a snapshot and sets `shot` to its path and `view` to its scene text.
+shoot() {
+    local before
+    before=$(wc -l <"$work/log")
+    xdotool key p
+    within has_lines "$work/log" "$before"
+    view=$(tail -1 "$work/log")
+    shot=$work/shots/${view##*-- }
+}
 # quiet: waits until messages on the picture are gone; each is shown for 4 seconds.
 quiet() { sleep 4.5; }
 # differs OLD NEW: waits until the window shows something other than OLD, and keeps it as NEW.

@@ -3,6 +3,7 @@
  * @brief Tests of the files that a scene names: that none lies outside its folder, even if links
  *        are swapped meanwhile, and that all together keep to one budget.
  */
+#include "refused_call.h"
 #include "scene_files.h"
 
 #include "assets/images/image_file.h"
@@ -11,11 +12,8 @@
 #include "script/asset_path.h"
 
 #include <fcntl.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <signal.h>
 #include <stddef.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -87,14 +85,7 @@ static const char *text_of(void **state, const char *name) {
 
 /** Makes openat2 fail as on an old kernel, in this process. */
 static void forbid_openat2(void) {
-    struct sock_filter code[] = {
-        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_openat2, 0, 1),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
-    const struct sock_fprog program = {.len = COUNT(code), .filter = code};
-    assert_int_equal(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), 0);
-    assert_int_equal(prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program), 0);
+    assert_true(refuse_call(SYS_openat2));
     assert_int_equal(syscall(SYS_openat2, AT_FDCWD, ".", NULL, 0), -1);
     assert_int_equal(errno, ENOSYS);
 }

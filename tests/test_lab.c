@@ -7,7 +7,7 @@
  * bad methods are so far from their results that rounding does not matter.
  */
 #include "lab/charts/metrics.h"
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/score_stats.h"

@@ -567,13 +567,13 @@ static void test_marks(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_faults),     cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_layers),     cmocka_unit_test(test_legends),
-        cmocka_unit_test(test_difference), cmocka_unit_test(test_sphere_aovs),
-        cmocka_unit_test(test_rays),       cmocka_unit_test(test_uvs),
-        cmocka_unit_test(test_lights),     cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_readings),   cmocka_unit_test(test_value_difference),
-        cmocka_unit_test(test_marks),      cmocka_unit_test(test_error_scale),
+        cmocka_unit_test(test_faults),         cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_layers),         cmocka_unit_test(test_legends),
+        cmocka_unit_test(test_difference),     cmocka_unit_test(test_sphere_aovs),
+        cmocka_unit_test(test_rays),           cmocka_unit_test(test_uvs),
+        cmocka_unit_test(test_lights),         cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_readings),       cmocka_unit_test(test_value_difference),
+        cmocka_unit_test(test_marks),          cmocka_unit_test(test_error_scale),
         cmocka_unit_test(test_tick_positions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

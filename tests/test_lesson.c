@@ -104,20 +104,6 @@ static void test_action_names(void **state) {
     assert_true(command_find(command_table, "leave")->flags & COMMAND_UNRECORDED);
 }
 
-/** Texts are broken at spaces, by characters and not by bytes. */
-static void test_rows(void **state) {
-    (void)state;
-    char words[] = "été après été\nneu unteilbaresWort x";
-    PanelRow rows[8];
-    assert_int_equal(word_wrap(words, 9, rows, 8), 5);
-    static const char *const expected[] = {"été après", "été", "neu", "unteilbaresWort", "x"};
-    for (size_t i = 0; i < 5; i++) {
-        assert_string_equal(rows[i].text, expected[i]);
-    }
-    char more[] = "a b c";
-    assert_int_equal(word_wrap(more, 1, rows, 2), 2);
-}
-
 /** Texts are in the chosen language if available, else in the other. */
 static void test_words(void **state) {
     (void)state;
@@ -249,17 +235,34 @@ static void test_text(void **state) {
     free(text);
 }
 
+/** The scene of a recorded lesson is named as seen from its folder. */
+static void test_relative_paths(void **state) {
+    (void)state;
+    static const char *const cases[][3] = {{"/home/a", "/home/a/box.lua", "box.lua"},
+                                           {"/home/a", "/home/a/b/box.lua", "b/box.lua"},
+                                           {"/home/a/c", "/home/a/b/box.lua", "../b/box.lua"},
+                                           {"/home/ab", "/home/a/box.lua", "../a/box.lua"},
+                                           {"/home/a", "/home/ab/box.lua", "../ab/box.lua"},
+                                           {"/home/a/c/d", "/home/box.lua", "../../../box.lua"},
+                                           {"/srv", "/home/box.lua", "/home/box.lua"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char out[64];
+        lesson_writer_relative_path(cases[i][0], cases[i][1], out, sizeof out);
+        assert_string_equal(out, cases[i][2]);
+    }
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_step_clock),
         cmocka_unit_test(test_step_clock_next),
         cmocka_unit_test(test_action_names),
-        cmocka_unit_test(test_rows),
         cmocka_unit_test(test_words),
         cmocka_unit_test(test_full),
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_relative_paths),
         cmocka_unit_test(test_lesson_files),
         cmocka_unit_test_setup_teardown(test_answers, fixture_set_up, fixture_tear_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);

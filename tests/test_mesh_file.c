@@ -11,8 +11,6 @@
 #include <fenv.h>
 #include <time.h>
 
-/** Number of items of an array. */
-#define COUNT(array) (sizeof(array) / sizeof *(array))
 /** Folder of the mesh files for tests, relative to the project. */
 #define MODELS "tests/meshes/"
 

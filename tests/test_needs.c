@@ -8,7 +8,7 @@
 
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/needs.h"
 

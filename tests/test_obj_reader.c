@@ -15,8 +15,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Number of items of an array. */
-#define COUNT(array) (sizeof(array) / sizeof *(array))
 /** Three vertices. */
 #define THREE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 /** Three vertices and their triangle. */

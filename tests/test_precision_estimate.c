@@ -9,7 +9,7 @@
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
 #include "render/precision_estimate.h"
-#include "render/z_fighting/z_fighting.h"
+#include "render/roundoff.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,9 +126,6 @@ static void test_shallow_glass_needs_no_double(void **state) {
 }
 
 /* --- z-fighting ------------------------------------------------------------------------------- */
-
-/** Half an ulp of 1 in float. */
-#define FLOAT_ROUNDOFF 0x1p-24
 
 /** Points the camera of a scene, with a field of view of 40 degrees. */
 static void look_from(Scene *scene, Vec3d position) {
@@ -315,8 +312,8 @@ static void add_disk_on_cone(Scene *scene, double gap) {
     add_shape(scene, "disk", &(DiskParameters){{0, -1 + gap, 0}, {0, 1, 0}, 1.2});
 }
 
-/** Adds a glowing panel before a wall. */
-static void add_panel_on_wall(Scene *scene, double gap) {
+/** Adds a light that is a square of side 1, upright. @param corner Its lowest corner. */
+static void add_panel(Scene *scene, Vec3d corner) {
     Error error = {0};
     size_t kind = 0;
     while (strcmp(scene_light_classes[kind]->keyword->name, "rectangle_light") != 0) {
@@ -326,8 +323,13 @@ static void add_panel_on_wall(Scene *scene, double gap) {
     const double edges[] = {1, 0, 0, 0, 1, 0};
     memcpy(light.own, edges, sizeof edges);
     light.class_index = kind;
-    light.position = (Vec3d){-0.5, -0.5, -2 + gap};
+    light.position = corner;
     assert_true(scene_add_light(scene, &light, &error));
+}
+
+/** Adds a glowing panel before a wall. */
+static void add_panel_on_wall(Scene *scene, double gap) {
+    add_panel(scene, (Vec3d){-0.5, -0.5, -2 + gap});
     add_red(scene);
     add_shape(scene, "quad", &(QuadParameters){{-3, -3, -2}, {6, 0, 0}, {0, 6, 0}});
 }
@@ -541,6 +543,102 @@ static void test_coincident_surfaces(void **state) {
     }
 }
 
+/** Adds a wall of balls whose boxes begin at the same x. @param side Balls along its sides. */
+static void add_wall_of_balls(Scene *scene, int side) {
+    for (int i = 0; i < side * side; i++) {
+        Vec3d center = {0, (i / side - side / 2) * 0.05, (i % side - side / 2) * 0.05};
+        add_shape(scene, "sphere", &(SphereParameters){center, 0.02});
+    }
+}
+
+/** In a wall of balls few pairs are compared, and one that fights is found. */
+static void test_wall_of_balls(void **state) {
+    (void)state;
+    /** Balls along a side: about 20,000 in all. */
+    enum { SIDE = 141, BALLS = SIDE * SIDE };
+    Scene *scene = create_bright_scene(6);
+    add_red(scene);
+    add_wall_of_balls(scene, SIDE);
+    ZFighting found = z_fighting_of(scene);
+    assert_at_most((double)found.pairs, 10.0 * BALLS, "pairs of %d balls", BALLS);
+    assert_at_most(found.fraction, 0, "balls that are apart");
+    add_blue(scene);
+    add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 0.02 + 1e-8});
+    assert_true(z_fighting_of(scene).fraction > 0);
+    scene_destroy(scene);
+}
+
+/** Adds balls at the same place. */
+static void add_nested_balls(Scene *scene) {
+    for (int i = 0; i < 2000; i++) {
+        add_shape(scene, "sphere", &(SphereParameters){{0, 0, 0}, 1 + 1e-9 * i});
+    }
+}
+
+/** Adds squares, and planes that none of them touches. */
+static void add_planes_and_quads(Scene *scene) {
+    for (int i = 0; i < 1200; i++) {
+        add_level_quad(scene, 0.1, -1 - i);
+        add_shape(scene, "plane", &(PlaneParameters){{0, i + 1, 0}, {0, 1, 0}});
+    }
+}
+
+/** Adds squares, and panels that give light and touch none of them. */
+static void add_lights_and_quads(Scene *scene) {
+    for (int i = 0; i < 1200; i++) {
+        add_panel(scene, (Vec3d){0, 2 * i + 1, 0});
+        add_level_quad(scene, 0.1, -1 - i);
+    }
+}
+
+/** However shapes stand, a limited number of pairs is compared. */
+static void test_limit_of_pairs(void **state) {
+    (void)state;
+    void (*const adds[])(Scene *) = {add_nested_balls, add_planes_and_quads, add_lights_and_quads};
+    for (size_t i = 0; i < sizeof adds / sizeof *adds; i++) {
+        Scene *scene = create_bright_scene(6);
+        add_red(scene);
+        adds[i](scene);
+        assert_int_equal(z_fighting_of(scene).pairs, Z_FIGHTING_PAIRS_MAXIMUM);
+        scene_destroy(scene);
+    }
+}
+
+/** A mesh of very many vertices on a floor does not hide a small one that fights with it. */
+static void test_huge_mesh(void **state) {
+    (void)state;
+    /** More vertices than the search looks at. */
+    enum { VERTICES = (1 << 22) + 64 };
+    Vec3d *positions = calloc(VERTICES, sizeof *positions);
+    assert_non_null(positions);
+    positions[0] = (Vec3d){0, -1, 0};
+    positions[1] = (Vec3d){0, 1, 1};
+    Scene *scene = create_bright_scene(6);
+    add_red(scene);
+    add_mesh(scene, positions, VERTICES, &(MeshTriangle){{0, 1, 2}}, 1, NORMALS_FLAT);
+    add_mesh_on_plane(scene, FLOAT_ROUNDOFF);
+    assert_true(z_fighting_of(scene).fraction > 0);
+    scene_destroy(scene);
+    free(positions);
+}
+
+/** The estimate's error is its largest, whichever cause is named. */
+static void test_error_is_largest(void **state) {
+    (void)state;
+    PrecisionEstimate estimate = {.cause = PRECISION_THIN_GLASS};
+    estimate.errors[PRECISION_THIN_GLASS] = PRECISION_VISIBLE_ERROR;
+    estimate.errors[PRECISION_Z_FIGHTING] = 4;
+    assert_true(precision_estimate_error(&estimate) == 4);
+    Scene *scene = create_bright_scene(6);
+    add_glass_on_floor(scene, FLOAT_ROUNDOFF);
+    estimate = precision_estimate_of(scene);
+    for (int cause = 0; cause < PRECISION_CAUSE_COUNT; cause++) {
+        assert_true(estimate.errors[cause] <= precision_estimate_error(&estimate));
+    }
+    assert_true(estimate.z_fighting.fraction == z_fighting_of(scene).fraction);
+    scene_destroy(scene);
+}
+
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_estimates),
@@ -548,6 +646,10 @@ int main(void) {
                                        cmocka_unit_test(test_near_surfaces),
                                        cmocka_unit_test(test_harmless_neighbours),
                                        cmocka_unit_test(test_crossing_planes),
-                                       cmocka_unit_test(test_coincident_surfaces)};
+                                       cmocka_unit_test(test_coincident_surfaces),
+                                       cmocka_unit_test(test_wall_of_balls),
+                                       cmocka_unit_test(test_limit_of_pairs),
+                                       cmocka_unit_test(test_huge_mesh),
+                                       cmocka_unit_test(test_error_is_largest)};
     return cmocka_run_group_tests_name("precision estimate", tests, NULL, NULL);
 }

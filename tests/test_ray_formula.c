@@ -9,6 +9,7 @@
 #include "render/label_layout.h"
 #include "render/orbit_camera.h"
 #include "render/ray_formula.h"
+#include "render/ray_microscope.h"
 
 /** Size of the pictures. */
 enum { WIDTH = 64, HEIGHT = 48 };
@@ -265,6 +266,128 @@ static void test_texts(void **state) {
     ray_fixture_deinit(&fixture);
 }
 
+/* --- the microscope --------------------------------------------------------------------------- */
+
+/** Heights over a sphere equal those of its equation, in float and in double. */
+static void test_microscope(void **state) {
+    (void)state;
+    const char *const engines[] = {"auto", "f64x1"};
+    for (size_t e = 0; e < 2; e++) {
+        RayFixture fixture = {0};
+        ray_fixture_init(&fixture, "scenes/glass-sphere.lua", engines[e]);
+        RayFormulaInput input = trace(&fixture, WIDTH / 2 + 4, HEIGHT / 2 + 2);
+        const RayTreeNode *ray = &input.tree->nodes[0];
+        const SphereParameters *sphere = fixture.scene->shapes[ray->shape].parameters;
+        Error error = {0};
+        const Engine *engine = engine_find(engines[e], &error);
+        RayMicroscope hit = ray_microscope_measure(engine, fixture.scene, input.tree, 0);
+        assert_true(hit.is_valid && hit.next_count >= 2);
+        assert_true(hit.ulp == ldexp(1, 1 - engine->mantissa_bits) ||
+                    hit.ulp == ldexp(1, -engine->mantissa_bits));
+        for (size_t i = 0; i <= hit.next_count; i++) {
+            const Vec3d *p = i < hit.next_count ? &input.tree->nodes[hit.next[i].ray].engine_origin
+                                                : &ray->engine_point;
+            long double x = (long double)p->x - (long double)sphere->center.x,
+                        y = (long double)p->y - (long double)sphere->center.y,
+                        z = (long double)p->z - (long double)sphere->center.z;
+            long double r = (long double)sphere->radius, squared = x * x + y * y + z * z;
+            double height = (double)((squared - r * r) / (sqrtl(squared) + r)) / hit.ulp;
+            double measured = i < hit.next_count ? hit.next[i].height : hit.height;
+            assert_at_most(fabs(measured - height), 0.01 * fmax(1, fabs(height)), "a height");
+        }
+        ray_fixture_deinit(&fixture);
+    }
+}
+
+/** The widest number type has nothing to be measured in, and a shadow ray no hit to magnify. */
+static void test_no_microscope(void **state) {
+    (void)state;
+    RayFixture fixture = {0};
+    Error error = {0};
+    ray_fixture_init(&fixture, "scenes/box.lua", "f64x1");
+    RayFormulaInput input = trace(&fixture, WIDTH / 2, HEIGHT / 2);
+    const Engine *quad = engine_find("f128x1", &error), *engine = engine_find("f64x1", &error);
+    assert_false(ray_microscope_measure(quad, fixture.scene, input.tree, 0).is_valid);
+    for (size_t i = 0; i < input.tree->count; i++) {
+        bool is_shadow = input.tree->nodes[i].kind == RAY_SHADOW;
+        assert_false(is_shadow &&
+                     ray_microscope_measure(engine, fixture.scene, input.tree, i).is_valid);
+    }
+    ray_fixture_deinit(&fixture);
+}
+
+/* --- sphere tracing --------------------------------------------------------------------------- */
+
+/** The steps of a march go forwards to the hit; there the field gives next to nothing. */
+static void test_march(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/menger-sponge.lua", "scenes/mandelbulb.lua"};
+    for (size_t i = 0; i < 2; i++) {
+        RayFixture fixture = {0};
+        size_t marched = 0;
+        ray_fixture_init(&fixture, scenes[i], "f64x1");
+        for (int pixel = 0; pixel < 40; pixel++) {
+            RayFormulaInput input =
+                trace(&fixture, (pixel * 29 + 7) % WIDTH, (pixel * 17 + 5) % HEIGHT);
+            const RayTreeNode *ray = &input.tree->nodes[0];
+            const RayMarchStep *steps = input.tree->steps + ray->first_step;
+            bool is_field =
+                ray->shape >= 0 && strcmp(ray_hit_keyword(fixture.scene, ray), "sdf") == 0;
+            assert_true(!is_field || ray->step_count > 0);
+            for (size_t step = 1; is_field && step < ray->step_count; step++) {
+                // A relaxed step that was too long is taken back to the end of the safe one.
+                bool is_back = steps[step].distance <= steps[step - 1].distance;
+                assert_true(!is_back || step > 1);
+                if (is_back) {
+                    const RayMarchStep *safe = &steps[step - 2];
+                    assert_at_most(fabs(steps[step].distance - safe->distance - safe->radius), 1e-6,
+                                   "end of a safe step");
+                }
+            }
+            if (is_field) {
+                const RayMarchStep *last = &steps[ray->step_count - 1];
+                assert_at_most(fabs(last->distance - ray->distance), 0.02, "end of the march");
+                assert_at_most(last->radius, 0.02, "free distance at the hit");
+                assert_true(steps[0].radius > last->radius);
+                marched++;
+            }
+        }
+        assert_true(marched > 5);
+        ray_fixture_deinit(&fixture);
+    }
+}
+
+/* --- cutting away ----------------------------------------------------------------------------- */
+
+/** From outside a closed room a wall is left out, and the path can be seen; the shapes that rays
+ *  meet, but for walls, stay. */
+static void test_cut_away(void **state) {
+    (void)state;
+    RayFixture fixture = {0};
+    CutAway cut = {0};
+    ray_fixture_init(&fixture, "scenes/lamps.lua", "f64x1");
+    RayFormulaInput input = trace(&fixture, WIDTH / 2, HEIGHT / 2);
+    assert_true(cut_away_begin(&cut, fixture.scene, input.tree));
+    assert_int_equal(cut_away_scene(&cut, fixture.scene).shape_count, fixture.scene->shape_count);
+    Vec3d point = input.tree->nodes[0].point, eye = vec3d_add(point, (Vec3d){100, 30, 0});
+    assert_true(cut_away_update(&cut, fixture.renderer, fixture.scene, input.tree, eye));
+    assert_false(cut_away_update(&cut, fixture.renderer, fixture.scene, input.tree, eye));
+    Scene left = cut_away_scene(&cut, fixture.scene);
+    assert_true(left.shape_count < fixture.scene->shape_count && left.shape_count > 0);
+    Error error = {0};
+    const Engine *engine = engine_find("f64x1", &error);
+    Tracer *tracer = engine->create_tracer(&left, &(TraceSettings){.samples = 1}, &error);
+    Vec3d to = vec3d_subtract(point, eye);
+    RayQuery ray = {{eye.x, eye.y, eye.z}, {to.x, to.y, to.z}};
+    int shape;
+    double distance;
+    engine->closest_hits(tracer, 1, &ray, &shape, &distance);
+    assert_true(distance > 0.99);
+    engine->destroy(tracer);
+    cut_away_deinit(&cut);
+    ray_fixture_deinit(&fixture);
+}
+
 /* --- labels ----------------------------------------------------------------------------------- */
 
 /** @return The next pseudo-random number, 0 to 1. */
@@ -317,8 +440,9 @@ static void test_labels(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formulas),
-        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_formulas),   cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_microscope), cmocka_unit_test(test_no_microscope),
+        cmocka_unit_test(test_march),      cmocka_unit_test(test_cut_away),
         cmocka_unit_test(test_labels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
 #include "pictures.h"
 
 #include <glob.h>
+#include <pthread.h>
 
 /** 1, 2, 3 and 8 threads render the same picture. */
 static void test_threads(void **state) {
@@ -132,6 +133,59 @@ static void test_background(void **state) {
     assert_same_picture(&at_once, draw_in_background(renderer, scene, &passes));
     renderer_destroy(renderer);
     picture_deinit(&at_once);
+    scene_destroy(scene);
+}
+
+/** What is seen of a first pass that takes long. */
+typedef struct PartWitness {
+    pthread_mutex_t mutex; /**< Guards the rest. */
+    pthread_cond_t wake;   /**< Signalled by the first event. */
+    int events;            /**< Number of events. */
+} PartWitness;
+
+/** Counts an event. See #RenderPassCallback. */
+static void count_event(void *context) {
+    PartWitness *witness = context;
+    pthread_mutex_lock(&witness->mutex);
+    witness->events++;
+    pthread_cond_signal(&witness->wake);
+    pthread_mutex_unlock(&witness->mutex);
+}
+
+/** The first event of a scene whose first pass takes long comes before that pass has ended: some
+ *  pixels are there, and others are not. */
+static void test_first_pass_in_parts(void **state) {
+    (void)state;
+    Error error = {0};
+    RenderStats stats;
+    Scene *scene = load_scene("tests/scenes/half-mirrors.lua");
+    RenderSettings settings = render_settings_default(scene);
+    size_t pixels = (size_t)settings.width * (size_t)settings.height, shown = 0;
+    uint8_t *bgrx = calloc(pixels, 4);
+    assert_non_null(bgrx);
+    PartWitness witness = {.mutex = PTHREAD_MUTEX_INITIALIZER, .wake = PTHREAD_COND_INITIALIZER};
+    Renderer *renderer = create_renderer(scene, &settings);
+    assert_true(renderer_pass_progress(renderer).fraction == 0);
+    assert_true(renderer_start(renderer, scene, settings.width, settings.height, count_event,
+                               &witness, &error));
+    pthread_mutex_lock(&witness.mutex);
+    while (witness.events == 0) {
+        pthread_cond_wait(&witness.wake, &witness.mutex);
+    }
+    pthread_mutex_unlock(&witness.mutex);
+    assert_true(renderer_copy_latest(renderer, &stats, bgrx, 4 * settings.width));
+    renderer_stop(renderer);
+    double fraction = renderer_pass_progress(renderer).fraction;
+    assert_true(stats.is_part && !stats.is_finished);
+    assert_true(fraction > 0 && fraction < 1);
+    for (size_t i = 0; i < pixels; i++) {
+        shown += bgrx[4 * i] > 0 || bgrx[4 * i + 1] > 0 || bgrx[4 * i + 2] > 0;
+    }
+    assert_true(shown > 0 && shown < pixels);
+    // The middle comes first.
+    assert_true(bgrx[4 * (pixels / 2 + (size_t)settings.width / 2)] > 0);
+    renderer_destroy(renderer);
+    free(bgrx);
     scene_destroy(scene);
 }
 
@@ -372,12 +426,19 @@ static void test_bvh_threshold(void **state) {
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_threads),    cmocka_unit_test(test_lanes),
-        cmocka_unit_test(test_scale),      cmocka_unit_test(test_background),
-        cmocka_unit_test(test_stop),       cmocka_unit_test(test_small_sizes),
-        cmocka_unit_test(test_symmetry),   cmocka_unit_test(test_facing_mirrors),
-        cmocka_unit_test(test_irradiance), cmocka_unit_test(test_acne),
-        cmocka_unit_test(test_bvh),        cmocka_unit_test(test_bvh_threshold),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_scale),
+        cmocka_unit_test(test_background),
+        cmocka_unit_test(test_first_pass_in_parts),
+        cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_small_sizes),
+        cmocka_unit_test(test_symmetry),
+        cmocka_unit_test(test_facing_mirrors),
+        cmocka_unit_test(test_irradiance),
+        cmocka_unit_test(test_acne),
+        cmocka_unit_test(test_bvh),
+        cmocka_unit_test(test_bvh_threshold),
     };
     return cmocka_run_group_tests_name("render", tests, NULL, NULL);
 }

@@ -119,9 +119,6 @@ static void check_uvs(const Engine *engine, const char *name, const void *parame
     scene_destroy(scene);
 }
 
-/** Number of items of an array. */
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 // --- coordinates on shapes -----------------------------------------------------------------------
 
 /** A sphere is mapped like a globe: the prime meridian in front, east to the right, north up. */

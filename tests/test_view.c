@@ -10,13 +10,17 @@
 #include "dioptre/view.h"
 #include "render/orbit_camera.h"
 #include "view/commands/commands.h"
+#include "view/loading/error_meter.h"
 #include "view/panels/help.h"
 #include "view/panels/hud.h"
+#include "view/panels/legend.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/magnifier.h"
+#include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
 #include "view/state/scene_text.h"
+#include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
-#include "view/window/font.h"
 
 #include <glob.h>
 #include <pthread.h>
@@ -178,7 +182,8 @@ static void test_keymap_others(void **state) {
                 {SDLK_r, "record"},
                 {SDLK_f, "scenes"},
                 {SDLK_RETURN, "caption"},
-                {SDLK_F5, NULL},
+                {SDLK_F3, NULL},
+                {SDLK_F5, "presentation"},
                 {0, NULL}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         assert_key(SDL_SCANCODE_UNKNOWN, rows[i].key, false, rows[i].name);
@@ -187,10 +192,10 @@ static void test_keymap_others(void **state) {
 }
 
 /** @return The keys of a row of the help. */
-static const char *help_text_keys(const PanelRow *rows, size_t count, const char *text) {
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(rows[i].text, text) == 0) {
-            return rows[i].label;
+static const char *help_text_keys(const HelpList *list, const char *text) {
+    for (size_t i = 0; i < list->count; i++) {
+        if (strcmp(list->rows[i].text, text) == 0) {
+            return list->rows[i].label;
         }
     }
     fail_msg("the help does not tell of: %s", text);
@@ -200,63 +205,40 @@ static const char *help_text_keys(const PanelRow *rows, size_t count, const char
 /** The help names keys as on a US keyboard, SDL's default. */
 static void test_keymap_help(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
+    HelpList list;
     Help help = {.commands = command_table};
-    size_t count = help_write_rows(&help, rows);
-    assert_string_equal(rows[0].text, "Light");
-    assert_true(rows[0].is_heading);
-    assert_string_equal(rows[1].label, "W  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_text_keys(rows, count, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(rows, count, "snapshot (Shift: as on the screen)"),
-                        "P  F12");
-    assert_string_equal(help_text_keys(rows, count, "leave"), "Esc");
+    help_write_list(&help, &list);
+    assert_in_range(list.count, 20, HELP_ROWS_MAXIMUM - 1);
+    assert_string_equal(list.rows[0].text, "Light");
+    assert_true(list.rows[0].is_heading);
+    assert_string_equal(list.rows[1].label, "W  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(&list, "forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(&list, "snapshot (Shift: as on the screen)"), "P  F12");
+    assert_string_equal(help_text_keys(&list, "leave"), "Esc");
     help.by_letter = true;
-    count = help_write_rows(&help, rows);
-    assert_string_equal(rows[1].label, "Z  S");
-    assert_string_equal(help_text_keys(rows, count, "away from you, nearer"), "E  W");
+    help_write_list(&help, &list);
+    assert_string_equal(list.rows[1].label, "Z  S");
+    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  W");
 }
 
-/** A panel fits windows down to 320x240, and can be drawn in any. */
-static void test_panel(void **state) {
+/** Arrows select a key of the help, and Enter requests its command. */
+static void test_help_keys(void **state) {
     (void)state;
-    PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = help_write_rows(&(Help){.commands = command_table}, rows);
-    static const int sizes[][2] = {{800, 600}, {320, 240}, {3840, 2160}, {200, 2000}, {1, 1}};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        SDL_Surface *panel =
-            panel_draw(rows, count, &(PanelBounds){sizes[i][0], sizes[i][1], i % 2 ? 3 : 1});
-        assert_non_null(panel);
-        if (sizes[i][0] > 1) {
-            assert_in_range(panel->w, 100, sizes[i][0]);
-            assert_in_range(panel->h, 100, sizes[i][1]);
-        }
-        SDL_FreeSurface(panel);
-    }
-}
-
-/** The help fits windows, with the keyboard where it is readable. */
-static void test_help_panel(void **state) {
-    (void)state;
-    static const int sizes[][2] = {{800, 600}, {3840, 2160}, {1280, 500}, {400, 300}, {300, 900}};
-    const Help help = {.commands = command_table};
-    if (!font_is_available()) {
-        skip();
-    }
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        int width = sizes[i][0], height = sizes[i][1];
-        SDL_Surface *panel = help_draw(&help, &(PanelBounds){width, height, i % 2 ? 2 : 1});
-        assert_non_null(panel);
-        assert_in_range(panel->w, 100, width);
-        assert_in_range(panel->h, 100, height);
-        SDL_FreeSurface(panel);
-    }
-    assert_int_equal(keyboard_diagram_size(790, 270).x, 788);
-    assert_int_equal(keyboard_diagram_size(400, 300).y, 0);
-    SDL_FreeSurface(help_draw(&help, &(PanelBounds){1, 1, 1}));
+    Help help = {.commands = command_table, .selected = {-1, 0}};
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_null(help.requested);
+    assert_true(help_handle_key(&help, SDLK_DOWN));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light up");
+    assert_true(help_handle_key(&help, SDLK_RIGHT) && help_handle_key(&help, SDLK_RIGHT));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "light down");
+    assert_true(help_handle_key(&help, SDLK_END) && help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "leave");
+    assert_true(help_handle_key(&help, SDLK_HOME) && help_handle_key(&help, SDLK_UP));
+    assert_int_equal(help.selected.row, 1);
+    assert_false(help_handle_key(&help, SDLK_v));
 }
 
 /** @return The row of a position. */
@@ -269,13 +251,13 @@ static void test_keyboard_labels(void **state) {
     (void)state;
     const Help help = {.commands = command_table};
     assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_W)), 1);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 1);
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
-    assert_null(row_at(SDL_SCANCODE_F5));
+    assert_null(row_at(SDL_SCANCODE_F3));
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_tint(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -555,6 +537,30 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
+/** What was moved is put back; what was not is as the scene has it now, which may be another time.
+ */
+static void test_restored_view(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    ViewState home_view, saved;
+    assert_true(view_state_init(&home_view, scene, NULL));
+    const SceneCamera camera = scene->camera;
+    view_state_move(&home_view, scene, 0, (Movement){.right = 1}, (Movement){0}, MOTION_FLY);
+    const Vec3d moved = scene->lights[0].position;
+    assert_true(view_state_save_current(&saved, &home_view, scene, NULL));
+    scene->lights[0].intensity = home_view.lights[0].intensity = 0.125;
+    home_view.camera.fov = 31;
+    view_state_move(&home_view, scene, 0, (Movement){.up = 1}, (Movement){.up = 1}, MOTION_FLY);
+    view_state_restore_current(&saved, &home_view, scene);
+    assert_memory_equal(&scene->lights[0].position, &moved, sizeof moved);
+    assert_true(scene->lights[0].intensity == 0.125 && home_view.is_light_moved[0]);
+    assert_true(scene->camera.fov == 31 && !home_view.is_camera_moved);
+    assert_memory_equal(&scene->camera.position, &camera.position, sizeof camera.position);
+    view_state_deinit(&saved);
+    view_state_deinit(&home_view);
+    scene_destroy(scene);
+}
+
 /**
  * Whoever walks stays at one height, to the bit, however the camera is tilted or rolled, also
  * where it looks straight down or up. Up is straight up. Whoever flies sinks.
@@ -737,6 +743,161 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** Settings that were tried have one point each; the front is what none beats in time and error. */
+static void test_settings_chart(void **state) {
+    (void)state;
+    SettingsChart chart = {.count = 0};
+    settings_chart_add(&chart, "float", 1, 2);
+    settings_chart_add(&chart, "double", 2, 1);
+    settings_chart_add(&chart, "slow", 3, 1.5);
+    settings_chart_add(&chart, "as fast as double", 2.05, 1.001);
+    assert_true(chart.points[0].is_pareto && chart.points[1].is_pareto);
+    assert_false(chart.points[2].is_pareto || chart.points[3].is_pareto);
+    settings_chart_add(&chart, "slow", 3, 0.5);
+    assert_int_equal((int)chart.count, 4);
+    assert_true(chart.points[2].is_pareto && settings_chart_has(&chart, "slow"));
+    for (int i = 0; i < SETTINGS_CHART_POINTS; i++) {
+        char name[SETTINGS_NAME_SIZE];
+        snprintf(name, sizeof name, "%d", i);
+        settings_chart_add(&chart, name, i + 1, 1);
+    }
+    assert_int_equal((int)chart.count, SETTINGS_CHART_POINTS);
+    assert_false(settings_chart_has(&chart, "slow"));
+    Error error = {0};
+    char name[SETTINGS_NAME_SIZE];
+    RenderSettings settings = {.engine = engine_find("f32x4", &error),
+                               .samples = 16,
+                               .trace = {.depth = 8, .offset = OFFSET_FIXED, .epsilon = 1e-4}};
+    settings_name_write(&settings, name);
+    assert_string_equal(name, "float, fixed 0.0001, 8 × 16");
+}
+
+/** The error of settings is measured in a thread: depth 0 is farther from the reference than the
+ *  scene's own; a reset forgets the reference. */
+static void test_error_meter(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    RenderSettings settings = render_settings_default(scene);
+    Error error = {0};
+    ErrorMeter meter = {.event = SDL_USEREVENT};
+    double errors[2] = {0, 0};
+    settings.samples = 4;
+    for (int i = 0; i < 2; i++) {
+        settings.trace.depth = i == 0 ? 8 : 0;
+        assert_true(error_meter_start(&meter, scene, &settings, &error));
+        while (!error_meter_take(&meter, &errors[i])) {
+            SDL_Delay(1);
+        }
+        assert_true(meter.has_truth && !meter.is_busy);
+    }
+    assert_true(errors[0] > 0 && errors[1] > 2 * errors[0]);
+    assert_true(error_meter_start(&meter, scene, &settings, &error));
+    error_meter_reset(&meter);
+    assert_false(meter.has_truth || meter.is_busy || error_meter_take(&meter, &errors[0]));
+    scene_destroy(scene);
+}
+
+/** The magnifier follows the mouse, until keys move it; it stays in the picture. */
+static void test_magnifier(void **state) {
+    (void)state;
+    Magnifier magnifier = {0};
+    const PixelPosition mouse = {5, 6}, other = {7, 6};
+    magnifier_toggle(&magnifier);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.is_on && magnifier.pixel.x == 40 && magnifier.pixel.y == 30);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 5 && magnifier.pixel.y == 6);
+    magnifier_step(&magnifier, -10, 1);
+    magnifier_follow(&magnifier, &mouse, 80, 60);
+    assert_true(magnifier.pixel.x == 0 && magnifier.pixel.y == 7);
+    magnifier_step(&magnifier, 100, 100);
+    magnifier_follow(&magnifier, NULL, 80, 60);
+    assert_true(magnifier.pixel.x == 79 && magnifier.pixel.y == 59);
+    magnifier_follow(&magnifier, &other, 80, 60);
+    assert_true(magnifier.pixel.x == 7 && magnifier.pixel.y == 6);
+    magnifier_toggle(&magnifier);
+    assert_false(magnifier.is_on);
+}
+
+/** A readout has place, shape with its line, and value with unit; of two pictures the difference.
+ */
+static void test_readout(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    char text[READOUT_SIZE];
+    PixelReadout readout = {.scene = scene,
+                            .x = 3,
+                            .y = 4,
+                            .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
+                            .count = 1};
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35   colour 1 2 3 of 255");
+    readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
+    readout.readings[0].values[0] = 2;
+    readout.readings[1].values[0] = 2.5;
+    readout.count = 2;
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text, "3, 4   sphere, line 35\n"
+                              "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
+                              "left minus right: -0.5 scene units");
+    readout.readings[1].layer = LAYER_RAYS;
+    pixel_readout_difference(readout.readings, text);
+    assert_string_equal(text, "two layers: no difference");
+    readout.readings[0].shape = 3;
+    pixel_readout_write(&readout, text);
+    assert_non_null(strstr(text, "quad, line 24, number 4"));
+    scene_destroy(scene);
+}
+
+/** @return The legend of a layer, of which a quarter is measured. */
+static Legend legend_of(const Scene *scene, Layer layer, double low, double high,
+                        bool is_finished) {
+    Error error = {0};
+    LayerMarks marks = {.count = 2};
+    RenderSettings settings = render_settings_default(scene);
+    settings.engine = engine_find("f32x4", &error);
+    RenderStats report = {.stride = 2,
+                          .is_finished = is_finished,
+                          .layer = {.layer = layer,
+                                    .scale = layer_scale(layer, low, high),
+                                    .pixel_count = 1000,
+                                    .artifact_pixels = 3,
+                                    .measured_fraction = 0.25,
+                                    .reference = layer == LAYER_ERROR ? "f128x1" : NULL}};
+    LegendContent content = {
+        .scene = scene, .report = &report, .settings = &settings, .marks = &marks, .progress = 0.4};
+    Legend legend;
+    legend_write(&content, &legend);
+    return legend;
+}
+
+/** Legends say unit, scale, counts, and what is not known yet. */
+static void test_legend(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    Legend light = legend_of(scene, LAYER_SHADED, 0, 0, true);
+    assert_string_equal(light.title, "");
+    Legend rays = legend_of(scene, LAYER_RAYS, 2, 17, true);
+    assert_string_equal(rays.unit, "rays per pixel, log scale");
+    assert_true(rays.has_bar && rays.entry_count == 5);
+    Legend error = legend_of(scene, LAYER_ERROR, 0, 1, false);
+    assert_string_equal(error.notes[0], "so far, off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference f128x1: 25 % of the pixels, 40 % of the work");
+    assert_string_equal(error.notes[2], "2 places have rings");
+    error = legend_of(scene, LAYER_ERROR, 0, 1, true);
+    assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
+    assert_string_equal(error.notes[1], "reference: f128x1");
+    Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
+    assert_false(steps.has_bar);
+    assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");
+    Legend time = legend_of(scene, LAYER_TIME, 1, 9, true);
+    assert_string_equal(time.notes[0], "one number per block of 8 × 8 pixels");
+    Legend shapes = legend_of(scene, LAYER_SHAPES, 0, 7, true);
+    assert_string_equal(shapes.texts[5], "sphere, line 35");
+    assert_int_equal((int)shapes.entry_count, (int)scene->shape_count);
+    scene_destroy(scene);
+}
+
 /** A window opens on an invisible screen, and closes when requested. */
 static void test_window(void **state) {
     (void)state;
@@ -830,8 +991,7 @@ int main(void) {
         cmocka_unit_test(test_keymap_light),
         cmocka_unit_test(test_keymap_others),
         cmocka_unit_test(test_keymap_help),
-        cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_help_panel),
+        cmocka_unit_test(test_help_keys),
         cmocka_unit_test(test_keyboard_labels),
         cmocka_unit_test(test_command_table),
         cmocka_unit_test(test_toolbar_commands),
@@ -844,12 +1004,18 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_restored_view),
         cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),
         cmocka_unit_test(test_time_control),
         cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
+        cmocka_unit_test(test_magnifier),
+        cmocka_unit_test(test_settings_chart),
+        cmocka_unit_test(test_error_meter),
+        cmocka_unit_test(test_readout),
+        cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),
         cmocka_unit_test(test_drop),
     };

@@ -2,6 +2,7 @@
  * @file
  * @brief Tests of worker processes. This program is its own worker.
  */
+#include "refused_call.h"
 #include "testing.h"
 
 #include "assets/process/worker_main.h"
@@ -12,8 +13,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -606,14 +605,7 @@ static void test_reported_error(void **state) {
  * @return Only if it fails: the exit status.
  */
 static int run_without_filter(char **words) {
-    struct sock_filter code[] = {
-        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 0, 1),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
-        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
-    const struct sock_fprog program = {sizeof code / sizeof *code, code};
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0) {
+    if (refuse_call(SYS_seccomp)) {
         execvp(words[0], words);
     }
     return EXIT_FAILURE;

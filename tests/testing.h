@@ -18,6 +18,9 @@
 
 #include <cmocka.h>
 
+/** Number of items of an array. */
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 /** Fails unless a measured value is at most a bound, and prints both. NaN fails. */
 #define assert_at_most(value, bound, ...)                                                          \
     do {                                                                                           \

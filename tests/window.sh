@@ -14,16 +14,6 @@ box=$root/scenes/box.lua
 probe=${PROBE:-$root/build/tests/picture_probe}
 [ -x "$probe" ] || make -s build/tests/picture_probe || exit 1
 
-# shoot: takes a snapshot and sets `shot` to its path and `view` to its scene text.
-shoot() {
-    local before
-    before=$(wc -l <"$work/log")
-    xdotool key p
-    within has_lines "$work/log" "$before"
-    view=$(tail -1 "$work/log")
-    shot=$work/shots/${view##*-- }
-}
-
 # --- measuring -----------------------------------------------------------------------------------
 # numbers PART: position of the camera or of the first or second light in `view`.
 numbers() {
@@ -373,9 +363,30 @@ xdotool key t 3 && shown 'finished'
 changed dragged sides 't: the left side has a layer'
 xdotool key 1 x && shown finished
 changed sides difference 'x again: the difference'
+xdotool key 3 t 3 && shown "distance.*finished" && sleep 1
+screen distances
+[ "$(convert "$work/distances.ppm" -crop 4x4+390+250 +repage -unique-colors -format %w info:)" = 1 ] &&
+    ok 'layers differ in values: distances are equal with and without offset' || fail 'distances differ'
+xdotool key 1 t 1 && shown finished
 xdotool key x && sleep 0.3
 shoot
 same "$shot" "$work/left.bmp" 'and again: the left one alone'
+quiet
+screen plain
+xdotool key F4
+changed plain magnified 'F4 magnifies pixels'
+xdotool key ctrl+Right ctrl+Right ctrl+Down
+changed magnified stepped 'Ctrl and arrows move the magnifier'
+shoot
+same "$shot" "$work/left.bmp" 'and not the camera'
+xdotool key Escape
+restored plain 'Esc takes the magnifier away'
+xdotool key F9
+sleep 5
+changed plain charted 'F9 shows the chart of this setting'
+xdotool key n && shown '2 samples.*finished' && sleep 5
+changed charted twice 'another setting adds its point'
+xdotool key Escape N && shown '1 sample,.*finished' && sleep 0.5
 leave
 
 # --- walking -------------------------------------------------------------------------------------

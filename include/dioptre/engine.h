@@ -85,6 +85,14 @@ typedef struct RayTreeSurface {
     Rgbd refract_weight; /**< Weight of a refracted ray's colour, likewise. */
 } RayTreeSurface;
 
+/** A step of sphere tracing: where the field was evaluated, and how far everything is from there.
+ */
+typedef struct RayMarchStep {
+    double distance; /**< Along the ray, scene units. */
+    double radius;   /**< Of the sphere that is free: what the field gives there, scene units; below
+                          the tolerance at the hit. */
+} RayMarchStep;
+
 /** A ray of the tree. */
 typedef struct RayTreeNode {
     int parent;        /**< Index of the ray that it comes from, below its own; -1: none. */
@@ -107,21 +115,30 @@ typedef struct RayTreeNode {
     Rgbd diffuse;           /**< Of shadow rays: V L f max(0, n . l), for diffuse light. */
     Rgbd specular;          /**< Of shadow rays: V L f max(0, r . v)^shininess, for highlights. */
     Rgbd transmittance; /**< Of shadow rays: fraction of the light that transparent shapes leave. */
-    double cosine;      /**< Of shadow rays: n . l, the cosine at the surface. */
-    double falloff;     /**< Of shadow rays: the factor f of the light's intensity there. */
-    Rgbd local_color;   /**< Radiance without secondary rays: of the sky, a light or a surface. */
-    Rgbd color;         /**< Radiance: #local_color plus the weighted colours of secondary
-                             rays. */
+    Vec3d engine_origin;    /**< The origin in the tracer's coordinates, as the engine has it. */
+    Vec3d engine_direction; /**< The direction as the engine has it, of its length there. */
+    Vec3d engine_point;     /**< The hit point in the tracer's coordinates, as the engine has it. */
+    size_t first_step; /**< Of camera and secondary rays that march: index in #RayTree.steps. */
+    size_t step_count; /**< Number of steps; 0: none. */
+    double cosine;     /**< Of shadow rays: n . l, the cosine at the surface. */
+    double falloff;    /**< Of shadow rays: the factor f of the light's intensity there. */
+    Rgbd local_color;  /**< Radiance without secondary rays: of the sky, a light or a surface. */
+    Rgbd color;        /**< Radiance: #local_color plus the weighted colours of secondary
+                            rays. */
 } RayTreeNode;
 
 /** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
 typedef struct RayTree {
-    RayTreeNode *nodes; /**< The rays, each after its parent; owned. */
-    size_t count;       /**< Number of rays. */
-    size_t capacity;    /**< Capacity of #nodes. */
-    int current;        /**< While recording: the ray being traced. */
-    bool is_truncated;  /**< Whether rays are missing, for lack of memory or beyond
-                           #RAY_TREE_MAX_NODES. */
+    RayTreeNode *nodes;   /**< The rays, each after its parent; owned. */
+    size_t count;         /**< Number of rays. */
+    size_t capacity;      /**< Capacity of #nodes. */
+    RayMarchStep *steps;  /**< Steps of sphere tracing of all rays; owned. */
+    size_t step_count;    /**< Number of #steps. */
+    size_t step_capacity; /**< Capacity of #steps. */
+    Vec3d origin;         /**< Where in the scene the tracer's coordinates start. */
+    int current;          /**< While recording: the ray being traced. */
+    bool is_truncated;    /**< Whether rays are missing, for lack of memory or beyond
+                             #RAY_TREE_MAX_NODES. */
 } RayTree;
 
 /** Frees the rays of a tree and empties it. */

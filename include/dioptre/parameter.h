@@ -87,6 +87,9 @@ typedef struct Keyword {
  */
 bool parameter_check_range(const Parameter *parameter, double value, Error *error);
 
+/** @return Whether a keyword is of a distance field, its first parameter. @param keyword It. */
+bool keyword_has_field(const Keyword *keyword);
+
 /**
  * Translates the struct of a keyword: all its #PARAMETER_POINT fields.
  * @param keyword         The keyword.

@@ -56,13 +56,16 @@ typedef struct RenderStats {
     int samples;                    /**< Samples per pixel. */
     double progress;                /**< Completed fraction of the work, 0 to 1. */
     bool is_finished;               /**< Whether this is the last pass. */
+    bool is_part;                   /**< Whether tiles of the first pass are missing: they show
+                                         the picture of before. */
     LayerStats layer;               /**< The layer shown, and its statistics. */
 } RenderStats;
 
 /** A renderer; opaque. */
 typedef struct Renderer Renderer;
 
-/** Called on a thread of the renderer when a pass has ended. @param context See #renderer_start. */
+/** Called on a thread of the renderer when there is more to show. @param context See
+ * #renderer_start. */
 typedef void (*RenderPassCallback)(void *context);
 
 /**
@@ -141,13 +144,24 @@ RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture
  */
 double renderer_progress(const Renderer *renderer);
 
+/** How far a pass is. */
+typedef struct PassProgress {
+    double fraction; /**< Fraction of its tiles that are done, 0 to 1. */
+    double seconds;  /**< Seconds since its begin. */
+} PassProgress;
+
+/** @return How far the newest pass is; zeros before the first. @param renderer A renderer, perhaps
+ *  rendering on another thread. */
+PassProgress renderer_pass_progress(const Renderer *renderer);
+
 /**
  * Starts, or restarts, rendering in the background, and returns at once.
  * @param renderer  The renderer.
  * @param scene     Source of camera and lights, read during this call; same shapes as before.
  * @param width     Pixels of the picture from now on.
  * @param height    Pixels of the picture from now on.
- * @param callback  Called after each pass, on another thread; may be NULL.
+ * @param callback  Called on another thread after each pass, and during a long first pass when
+ *                  more of its tiles can be shown; may be NULL.
  * @param context   Argument of the callback.
  * @param[out] error  No memory, or no thread.
  * @return false on failure.
@@ -180,12 +194,13 @@ bool renderer_measure_layer(Renderer *renderer, const Scene *scene, Layer layer,
 void renderer_stop(Renderer *renderer);
 
 /**
- * Copies the newest finished pass of the background.
+ * Copies the newest finished pass of the background, or the tiles of the first one, where it takes
+ * long, over the picture of before.
  * @param renderer       The renderer.
  * @param[out] stats     The state of the picture.
  * @param[out] bgrx      The pixels: blue, green, red and an unused byte each; may be NULL.
  * @param pitch          Bytes from a row to the next.
- * @return false if no pass has finished since #renderer_start: nothing is written then.
+ * @return false if nothing is there since #renderer_start: nothing is written then.
  */
 bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx, int pitch);
 
@@ -207,6 +222,17 @@ typedef struct PixelReading {
  * @return false if no pass has finished, or the pixel is outside.
  */
 bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading);
+
+/**
+ * Copies the colours of a part of the newest pass.
+ * @param renderer  The renderer.
+ * @param x         Column of its first pixel; may be outside.
+ * @param y         Row of its first pixel; may be outside.
+ * @param columns   Pixels to the right.
+ * @param rows      Pixels down.
+ * @param[in,out] rgb  The colours, row by row; what is outside of the picture stays as it is.
+ */
+void renderer_copy_part(Renderer *renderer, int x, int y, int columns, int rows, uint8_t *rgb);
 
 /**
  * Copies the numbers of the newest pass of a layer.

@@ -306,6 +306,10 @@ bool scene_material_is_reflective(const SceneMaterial *material);
 /** @return Whether a material is transparent. @param material A material. */
 bool scene_material_is_transparent(const SceneMaterial *material);
 
+/** @return Whether a material is reflective or transparent: secondary rays start there. @param
+ * material A material. */
+bool scene_material_is_secondary(const SceneMaterial *material);
+
 /* --- Shapes ----------------------------------------------------------------------------------- */
 
 typedef struct Scene Scene;
@@ -830,6 +834,9 @@ bool scene_has_textures(const Scene *scene);
 
 /** @return Whether any shape is transparent. @param scene The scene. */
 bool scene_has_transparency(const Scene *scene);
+
+/** @return Whether any shape is reflective or transparent. @param scene The scene. */
+bool scene_has_secondary_rays(const Scene *scene);
 
 /** @return Whether any shape has specular highlights. @param scene The scene. */
 bool scene_has_specular(const Scene *scene);

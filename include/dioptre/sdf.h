@@ -39,6 +39,10 @@ typedef enum {
 enum { SDF_OPERANDS = 19 };
 /** Largest number of nodes: it limits scene files that never stop. */
 enum { SDF_NODES_MAXIMUM = 4096 };
+/** Largest number of iterations of a sponge: the smallest holes are 3^-12 of its edge. */
+enum { SDF_MENGER_ITERATIONS_MAXIMUM = 12 };
+/** Largest power of a Mandelbulb, and largest number of its iterations: engines loop over them. */
+enum { SDF_BULB_POWER_MAXIMUM = 16, SDF_BULB_ITERATIONS_MAXIMUM = 32 };
 /** Largest depth of nested bodies: a guard for the stack. */
 enum { SDF_DEPTH_MAXIMUM = 64 };
 

@@ -17,7 +17,7 @@ lesson {
 
 local eye = {
   en = "The camera goes to the right. What does the ball's shadow do on the floor?",
-  fr = "La caméra part vers la droite. Que fait l'ombre de la boule sur le sol ?",
+  fr = "La caméra part vers la droite. Que fait l'ombre de la boule sur le sol ?",
   choices = {
     { en = "It goes to the right, too", fr = "Elle part aussi à droite" },
     { en = "It goes to the left", fr = "Elle part à gauche" },
@@ -26,7 +26,7 @@ local eye = {
   right = 3,
   because = {
     en = "Lamp and ball have not moved: the same places of the floor lack light. Only our view of them is another.",
-    fr = "Ni la lampe ni la boule n'ont bougé : ce sont les mêmes endroits du sol qui manquent de lumière. Seul notre point de vue a changé." },
+    fr = "Ni la lampe ni la boule n'ont bougé : ce sont les mêmes endroits du sol qui manquent de lumière. Seul notre point de vue a changé." },
 }
 
 caption { wait = true,
@@ -42,23 +42,23 @@ press "home"
 
 ask {
   en = "Now the lamp goes to the left. Where does the shadow of the ball go?",
-  fr = "Maintenant, c'est la lampe qui part à gauche. Où va l'ombre de la boule ?",
+  fr = "Maintenant, c'est la lampe qui part à gauche. Où va l'ombre de la boule ?",
   choices = {
     { en = "To the left, with the lamp", fr = "À gauche, avec la lampe" },
     { en = "To the right, away from the lamp", fr = "À droite, loin de la lampe" },
-    { en = "Nowhere: the ball has not moved", fr = "Nulle part : la boule n'a pas bougé" },
+    { en = "Nowhere: the ball has not moved", fr = "Nulle part : la boule n'a pas bougé" },
   },
   right = 2,
   because = {
     en = "The shadow lies behind the ball, seen from the lamp. When the lamp goes left, behind is on the right.",
-    fr = "L'ombre est derrière la boule, vue de la lampe. Quand la lampe va à gauche, « derrière » est à droite." },
+    fr = "L'ombre est derrière la boule, vue de la lampe. Quand la lampe va à gauche, « derrière » est à droite." },
 }
 hold("light left", 0.5)
 wait(0.5)
 
 ask {
   en = "The lamp goes down. What happens to the shadow?",
-  fr = "La lampe descend. Que devient l'ombre ?",
+  fr = "La lampe descend. Que devient l'ombre ?",
   choices = {
     { en = "It gets shorter", fr = "Elle raccourcit" },
     { en = "It gets longer", fr = "Elle s'allonge" },
@@ -67,7 +67,7 @@ ask {
   right = 2,
   because = {
     en = "Light that comes flat meets the floor far behind the ball: as in the evening, when the sun is low.",
-    fr = "Une lumière rasante ne touche le sol que loin derrière la boule : comme le soir, quand le soleil est bas." },
+    fr = "Une lumière rasante ne touche le sol que loin derrière la boule : comme le soir, quand le soleil est bas." },
 }
 hold("light down", 0.25)
 wait(0.5)
@@ -77,7 +77,7 @@ press "home"
 
 ask {
   en = "How does the program know that a place of the floor is in shadow?",
-  fr = "Comment le programme sait-il qu'un endroit du sol est à l'ombre ?",
+  fr = "Comment le programme sait-il qu'un endroit du sol est à l'ombre ?",
   choices = {
     { en = "It stretches the outline of the ball over the floor", fr = "Il étale le contour de la boule sur le sol" },
     { en = "It asks whether the way to the lamp is free", fr = "Il demande si le chemin vers la lampe est libre" },
@@ -86,7 +86,7 @@ ask {
   right = 2,
   because = {
     en = "From that place a ray goes towards the lamp: the shadow ray. Here the ball is in its way.",
-    fr = "De cet endroit part un rayon vers la lampe : le rayon d'ombre. Ici, la boule lui barre le chemin." },
+    fr = "De cet endroit part un rayon vers la lampe : le rayon d'ombre. Ici, la boule lui barre le chemin." },
 }
 pixel(0.2, 0.8)
 wait(0.5)

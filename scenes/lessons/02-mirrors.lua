@@ -9,7 +9,7 @@ lesson {
     { en = "A mirror sends a ray on at the angle at which it came.",
       fr = "Un miroir renvoie le rayon sous l'angle où il est arrivé." },
     { en = "It does not swap left and right: it swaps front and back.",
-      fr = "Il n'échange pas la gauche et la droite : il échange l'avant et l'arrière." },
+      fr = "Il n'échange pas la gauche et la droite : il échange l'avant et l'arrière." },
     { en = "What we see in it depends on where our eye is.",
       fr = "Ce qu'on y voit dépend de la place de notre œil." },
   },
@@ -17,7 +17,7 @@ lesson {
 
 local sides = {
   en = "The cube stands to the right of the ball. And in the mirror?",
-  fr = "Le cube est à droite de la boule. Et dans le miroir ?",
+  fr = "Le cube est à droite de la boule. Et dans le miroir ?",
   choices = {
     { en = "To the left of the ball", fr = "À gauche de la boule" },
     { en = "To the right of the ball", fr = "À droite de la boule" },
@@ -26,7 +26,7 @@ local sides = {
   right = 2,
   because = {
     en = "What is on the right stays on the right. But the mirror shows the backs: front and back are swapped.",
-    fr = "Ce qui est à droite reste à droite. Mais le miroir montre les dos : c'est l'avant et l'arrière qui s'échangent." },
+    fr = "Ce qui est à droite reste à droite. Mais le miroir montre les dos : c'est l'avant et l'arrière qui s'échangent." },
 }
 
 -- Our place before the mirror.
@@ -38,7 +38,7 @@ end
 look()
 caption { wait = true,
   en = "A ball, a cube, and a mirror in a frame. The mirror is still switched off: it sends no ray on.",
-  fr = "Une boule, un cube et un miroir encadré. Le miroir est encore éteint : il ne renvoie aucun rayon." }
+  fr = "Une boule, un cube et un miroir encadré. Le miroir est encore éteint : il ne renvoie aucun rayon." }
 ask(sides)
 press "deeper"
 wait(0.5)
@@ -48,7 +48,7 @@ caption { wait = true,
 
 ask {
   en = "A ray from the eye meets the mirror at a slant. Where does it go then?",
-  fr = "Un rayon venu de l'œil frappe le miroir en biais. Où va-t-il ensuite ?",
+  fr = "Un rayon venu de l'œil frappe le miroir en biais. Où va-t-il ensuite ?",
   choices = {
     { en = "Back to the eye", fr = "Il revient vers l'œil" },
     { en = "On, to the other side, at the same angle", fr = "De l'autre côté, sous le même angle" },
@@ -57,7 +57,7 @@ ask {
   right = 2,
   because = {
     en = "Angle in and angle out are equal. Then comes the same question as for each ray: what does it meet?",
-    fr = "L'angle de départ égale l'angle d'arrivée. Puis vient la même question que pour tout rayon : que rencontre-t-il ?" },
+    fr = "L'angle de départ égale l'angle d'arrivée. Puis vient la même question que pour tout rayon : que rencontre-t-il ?" },
 }
 pixel(0.5, 0.35)
 wait(0.5)
@@ -66,16 +66,16 @@ press "rays"
 
 ask {
   en = "Our eye goes to the left. Which part of the room does the mirror show then?",
-  fr = "Notre œil part à gauche. Quelle partie de la pièce le miroir montre-t-il alors ?",
+  fr = "Notre œil part à gauche. Quelle partie de la pièce le miroir montre-t-il alors ?",
   choices = {
-    { en = "The same part: the mirror has not moved", fr = "La même : le miroir n'a pas bougé" },
+    { en = "The same part: the mirror has not moved", fr = "La même : le miroir n'a pas bougé" },
     { en = "More of what is on the left", fr = "Davantage de ce qui est à gauche" },
     { en = "More of what is on the right", fr = "Davantage de ce qui est à droite" },
   },
   right = 3,
   because = {
     en = "A mirror is like a window into a second room: who goes left sees more of its right.",
-    fr = "Un miroir est comme une fenêtre sur une seconde pièce : en allant à gauche, on en voit mieux la droite." },
+    fr = "Un miroir est comme une fenêtre sur une seconde pièce : en allant à gauche, on en voit mieux la droite." },
 }
 hold("camera left", 0.3)
 wait(1)

@@ -11,16 +11,16 @@ lesson {
     { en = "On its way into glass, a ray is bent towards the perpendicular.",
       fr = "En entrant dans le verre, le rayon se rapproche de la perpendiculaire." },
     { en = "Glass mirrors, too: little where we look straight on it, much where we look flat along it.",
-      fr = "Le verre réfléchit aussi : peu de face, beaucoup en regard rasant." },
+      fr = "Le verre réfléchit aussi : peu de face, beaucoup en regard rasant." },
   },
 }
 
 local order = {
   en = "Behind the ball stand columns: red, yellow, green, blue from the left. And seen through the ball?",
-  fr = "Derrière la boule, des colonnes : de gauche à droite rouge, jaune, verte, bleue. Et à travers la boule ?",
+  fr = "Derrière la boule, des colonnes : de gauche à droite rouge, jaune, verte, bleue. Et à travers la boule ?",
   choices = {
     { en = "The same order, only larger", fr = "Le même ordre, en plus grand" },
-    { en = "The other way round: blue is on the left", fr = "L'ordre inverse : la bleue à gauche" },
+    { en = "The other way round: blue is on the left", fr = "L'ordre inverse : la bleue à gauche" },
     { en = "The ball shows only itself", fr = "La boule ne montre qu'elle-même" },
   },
   right = 2,
@@ -31,23 +31,23 @@ local order = {
 
 caption { wait = true,
   en = "A ball of glass. As yet no ray may go through it, so it is dark.",
-  fr = "Une boule de verre. Pour l'instant aucun rayon ne peut la traverser : elle est sombre." }
+  fr = "Une boule de verre. Pour l'instant aucun rayon ne peut la traverser : elle est sombre." }
 ask(order)
 for i = 1, 8 do press "deeper" end
 wait(1)
 
 ask {
   en = "A ray enters the glass at a slant. What happens to its direction?",
-  fr = "Un rayon entre en biais dans le verre. Que devient sa direction ?",
+  fr = "Un rayon entre en biais dans le verre. Que devient sa direction ?",
   choices = {
-    { en = "It goes straight on: glass is clear", fr = "Il va tout droit : le verre est transparent" },
+    { en = "It goes straight on: glass is clear", fr = "Il va tout droit : le verre est transparent" },
     { en = "It bends towards the perpendicular", fr = "Il se rapproche de la perpendiculaire" },
     { en = "It bends away from the perpendicular", fr = "Il s'écarte de la perpendiculaire" },
   },
   right = 2,
   because = {
     en = "Light is slower in glass. The sine of its angle shrinks by the index, here 1.5; on its way out it grows again.",
-    fr = "La lumière est plus lente dans le verre. Le sinus de l'angle est divisé par l'indice, ici 1,5 ; à la sortie, il est multiplié." },
+    fr = "La lumière est plus lente dans le verre. Le sinus de l'angle est divisé par l'indice, ici 1,5 ; à la sortie, il est multiplié." },
 }
 pixel(0.6, 0.4)
 wait(0.5)
@@ -56,7 +56,7 @@ press "rays"
 
 ask {
   en = "Glass also mirrors a part of the light. Where is that part largest?",
-  fr = "Le verre réfléchit aussi une partie de la lumière. Où cette partie est-elle la plus grande ?",
+  fr = "Le verre réfléchit aussi une partie de la lumière. Où cette partie est-elle la plus grande ?",
   choices = {
     { en = "In the middle of the ball", fr = "Au milieu de la boule" },
     { en = "At its rim", fr = "Sur son bord" },
@@ -65,13 +65,13 @@ ask {
   right = 2,
   because = {
     en = "In the middle 4 % are mirrored. At the rim the ray comes flat, and nearly all is: that is Fresnel's law.",
-    fr = "Au milieu, 4 % sont réfléchis. Sur le bord le rayon arrive rasant, et presque tout l'est : c'est la loi de Fresnel." },
+    fr = "Au milieu, 4 % sont réfléchis. Sur le bord le rayon arrive rasant, et presque tout l'est : c'est la loi de Fresnel." },
 }
 turn(12, 0)
 zoom(12)
 wait(1)
 caption { wait = true, en = "You know it from a lake: clear at your feet, a mirror far away.",
-          fr = "Vous le connaissez d'un lac : transparent à vos pieds, miroir au loin." }
+          fr = "Vous le connaissez d'un lac : transparent à vos pieds, miroir au loin." }
 press "home"
 for i = 1, 8 do press "less deep" end
 ask(order)

@@ -9,40 +9,40 @@ lesson {
     { en = "A thing gives back a part of the light that it gets. It adds nothing.",
       fr = "Une chose renvoie une partie de la lumière qu'elle reçoit. Elle n'ajoute rien." },
     { en = "The program multiplies, colour by colour: light times surface.",
-      fr = "Le programme multiplie, couleur par couleur : la lumière fois la surface." },
+      fr = "Le programme multiplie, couleur par couleur : la lumière fois la surface." },
     { en = "Lights add up: red and green make yellow; red, green and blue make white.",
-      fr = "Les lumières s'ajoutent : rouge et vert font jaune ; rouge, vert et bleu font blanc." },
+      fr = "Les lumières s'ajoutent : rouge et vert font jaune ; rouge, vert et bleu font blanc." },
   },
 }
 
 local green = {
   en = "The white lamp becomes a red one. How will the green ball look?",
-  fr = "La lampe blanche devient rouge. Comment sera la boule verte ?",
+  fr = "La lampe blanche devient rouge. Comment sera la boule verte ?",
   choices = {
     { en = "Green, as before", fr = "Verte, comme avant" },
     { en = "Red", fr = "Rouge" },
     { en = "Black", fr = "Noire" },
-    { en = "Brown: a mixture of red and green", fr = "Brune : un mélange de rouge et de vert" },
+    { en = "Brown: a mixture of red and green", fr = "Brune : un mélange de rouge et de vert" },
   },
   right = 3,
   because = {
     en = "The green ball gives back green light only, and here there is none: red 1 x 0, green 0 x 1, blue 0 x 0.",
-    fr = "La boule verte ne renvoie que du vert, et il n'y en a pas : rouge 1 × 0, vert 0 × 1, bleu 0 × 0." },
+    fr = "La boule verte ne renvoie que du vert, et il n'y en a pas : rouge 1 × 0, vert 0 × 1, bleu 0 × 0." },
 }
 
 caption { wait = true,
   en = "Five balls: red, green, blue, yellow, white. One white lamp, a white wall, nothing else.",
-  fr = "Cinq boules : rouge, verte, bleue, jaune, blanche. Une lampe blanche, un mur blanc, rien d'autre." }
+  fr = "Cinq boules : rouge, verte, bleue, jaune, blanche. Une lampe blanche, un mur blanc, rien d'autre." }
 ask(green)
 press "time on"
 wait(1)
 caption { wait = true,
   en = "White and yellow give back red as well as red itself does: here these three balls look alike.",
-  fr = "Le blanc et le jaune renvoient le rouge aussi bien que le rouge lui-même : ici, ces trois boules se ressemblent." }
+  fr = "Le blanc et le jaune renvoient le rouge aussi bien que le rouge lui-même : ici, ces trois boules se ressemblent." }
 
 ask {
   en = "A green lamp joins the red one. Which colour has the white wall where both shine?",
-  fr = "Une lampe verte s'ajoute à la rouge. De quelle couleur est le mur blanc là où les deux éclairent ?",
+  fr = "Une lampe verte s'ajoute à la rouge. De quelle couleur est le mur blanc là où les deux éclairent ?",
   choices = {
     { en = "Brown, as with paint", fr = "Brun, comme avec la peinture" },
     { en = "Yellow", fr = "Jaune" },
@@ -51,7 +51,7 @@ ask {
   right = 2,
   because = {
     en = "Lights add up: red and green give yellow. Paints take light away, so mixing them is another thing.",
-    fr = "Les lumières s'ajoutent : rouge et vert donnent jaune. Les peintures, elles, enlèvent de la lumière : c'est autre chose." },
+    fr = "Les lumières s'ajoutent : rouge et vert donnent jaune. Les peintures, elles, enlèvent de la lumière : c'est autre chose." },
 }
 press "time on"
 wait(1)
@@ -61,7 +61,7 @@ caption { wait = true,
 
 ask {
   en = "A blue lamp joins. Which colour has the shadow in which only the red light is missing?",
-  fr = "Une lampe bleue s'ajoute. De quelle couleur est l'ombre où seule la lumière rouge manque ?",
+  fr = "Une lampe bleue s'ajoute. De quelle couleur est l'ombre où seule la lumière rouge manque ?",
   choices = {
     { en = "Grey", fr = "Grise" },
     { en = "Red", fr = "Rouge" },
@@ -70,7 +70,7 @@ ask {
   right = 3,
   because = {
     en = "Green and blue are left: cyan. The red lamp is on the left, so its shadow is the one on the right.",
-    fr = "Il reste le vert et le bleu : du cyan. La lampe rouge est à gauche ; son ombre est donc celle de droite." },
+    fr = "Il reste le vert et le bleu : du cyan. La lampe rouge est à gauche ; son ombre est donc celle de droite." },
 }
 press "time on"
 wait(1)

@@ -9,7 +9,7 @@ lesson {
     { en = "The rays start at the eye, against the way of the light.",
       fr = "Les rayons partent de l'œil, à contresens de la lumière." },
     { en = "Where a ray meets something, a shadow ray asks for each lamp: does its light come here?",
-      fr = "Là où un rayon touche quelque chose, un rayon d'ombre demande pour chaque lampe : sa lumière arrive-t-elle ici ?" },
+      fr = "Là où un rayon touche quelque chose, un rayon d'ombre demande pour chaque lampe : sa lumière arrive-t-elle ici ?" },
     { en = "A surface that mirrors sends one more ray on its way.",
       fr = "Une surface réfléchissante fait partir un rayon de plus." },
   },
@@ -17,7 +17,7 @@ lesson {
 
 local first = {
   en = "To find the colour of a pixel: where does the program start its first ray?",
-  fr = "Pour trouver la couleur d'un pixel : d'où le programme fait-il partir son premier rayon ?",
+  fr = "Pour trouver la couleur d'un pixel : d'où le programme fait-il partir son premier rayon ?",
   choices = {
     { en = "At the lamp", fr = "De la lampe" },
     { en = "At the eye", fr = "De l'œil" },
@@ -31,7 +31,7 @@ local first = {
 
 caption { wait = true,
   en = "800 times 600 pixels, and a colour for each. Let us take one of them: on the floor, in front.",
-  fr = "800 fois 600 pixels, et une couleur pour chacun. Prenons-en un seul : sur le sol, devant." }
+  fr = "800 fois 600 pixels, et une couleur pour chacun. Prenons-en un seul : sur le sol, devant." }
 ask(first)
 pixel(0.4125, 0.9833)
 wait(0.5)
@@ -42,22 +42,22 @@ press "rays"
 
 ask {
   en = "The floor is matt, and there is one lamp. How many rays does this pixel need in all?",
-  fr = "Le sol est mat, et il y a une lampe. Combien de rayons faut-il en tout pour ce pixel ?",
+  fr = "Le sol est mat, et il y a une lampe. Combien de rayons faut-il en tout pour ce pixel ?",
   choices = { "1", "2", "3", { en = "As many as there are things", fr = "Autant que d'objets" } },
   right = 2,
   because = {
     en = "Two: one from the eye to the floor, and the shadow ray from the floor to the lamp.",
-    fr = "Deux : un de l'œil au sol, et le rayon d'ombre du sol à la lampe." },
+    fr = "Deux : un de l'œil au sol, et le rayon d'ombre du sol à la lampe." },
 }
 press "rays"
 wait(0.5)
 caption { wait = true, en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
-          fr = "Maintenant un pixel de la boule rouge. Elle brille : elle réfléchit une partie de la lumière." }
+          fr = "Maintenant un pixel de la boule rouge. Elle brille : elle réfléchit une partie de la lumière." }
 press "rays"
 
 ask {
   en = "The ray from the eye meets the red ball. Which rays start there?",
-  fr = "Le rayon venu de l'œil touche la boule rouge. Quels rayons partent de là ?",
+  fr = "Le rayon venu de l'œil touche la boule rouge. Quels rayons partent de là ?",
   choices = {
     { en = "Only a shadow ray", fr = "Seulement un rayon d'ombre" },
     { en = "Only a mirrored ray", fr = "Seulement un rayon réfléchi" },
@@ -66,7 +66,7 @@ ask {
   right = 3,
   because = {
     en = "Its colour is a sum: its own red in the lamp's light, and a share of what the mirrored ray finds.",
-    fr = "Sa couleur est une somme : son propre rouge sous la lampe, et une part de ce que trouve le rayon réfléchi." },
+    fr = "Sa couleur est une somme : son propre rouge sous la lampe, et une part de ce que trouve le rayon réfléchi." },
 }
 pixel(0.4375, 0.7667)
 wait(0.5)
@@ -75,12 +75,12 @@ wait(1)
 press "ray on"
 caption { wait = true,
   en = "The mirrored ray does as the first one did: it meets something, and asks for the lamp.",
-  fr = "Le rayon réfléchi fait comme le premier : il touche quelque chose, et cherche la lampe." }
+  fr = "Le rayon réfléchi fait comme le premier : il touche quelque chose, et cherche la lampe." }
 press "rays"
 
 ask {
   en = "Where in this picture are most rays needed?",
-  fr = "Où faut-il le plus de rayons dans cette image ?",
+  fr = "Où faut-il le plus de rayons dans cette image ?",
   choices = {
     { en = "In the shadows", fr = "Dans les ombres" },
     { en = "On the walls", fr = "Sur les murs" },
@@ -89,7 +89,7 @@ ask {
   right = 3,
   because = {
     en = "Yellow is much, blue is little. Ball and cube mirror each other, so rays go to and fro between them.",
-    fr = "Jaune : beaucoup ; bleu : peu. La boule et le cube se reflètent l'un l'autre : les rayons vont et viennent entre eux." },
+    fr = "Jaune : beaucoup ; bleu : peu. La boule et le cube se reflètent l'un l'autre : les rayons vont et viennent entre eux." },
 }
 press "layer rays"
 wait(1)

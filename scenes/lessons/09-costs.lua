@@ -11,37 +11,38 @@ lesson {
     { en = "What could not change the picture by one step may be left out.",
       fr = "Ce qui ne changerait pas l'image d'un seul cran, on peut s'en passer." },
     { en = "Speed and accuracy: ask what the picture needs, then pay for that.",
-      fr = "Vitesse et précision : demandez ce que l'image exige, et ne payez que cela." },
+      fr = "Vitesse et précision : demandez ce que l'image exige, et ne payez que cela." },
   },
 }
 
 local most = {
-  en = "Now up to 16 rays go through each pixel. Where does the program really need so many?",
-  fr = "Jusqu'à 16 rayons passent maintenant par pixel. Où le programme en a-t-il vraiment besoin ?",
+  en = "Where in this picture are most rays spent on a sample?",
+  fr = "Où dépense-t-on le plus de rayons par échantillon dans cette image ?",
   choices = {
     { en = "Everywhere alike", fr = "Partout autant" },
-    { en = "At edges, and where things mirror", fr = "Aux bords, et là où ça se reflète" },
+    { en = "Where things mirror each other", fr = "Là où les objets se reflètent l'un l'autre" },
     { en = "In the dark places", fr = "Dans les endroits sombres" },
   },
   right = 2,
   because = {
-    en = "Blue is few rays, yellow is many. On a plain wall all rays of a pixel bring the same, so few must do.",
-    fr = "Bleu : peu de rayons ; jaune : beaucoup. Sur un mur uni, tous rapportent la même chose : peu suffisent." },
+    en = "Blue is few rays, yellow is many. A wall takes two; between ball and cube a ray goes to and fro.",
+    fr = "Bleu : peu de rayons ; jaune : beaucoup. Un mur en prend deux ; entre la boule et le cube, un rayon va et vient.",
+  },
 }
 
 zoom(8)
 turn(-3, -8)
 caption { wait = true,
   en = "One ray per pixel. Look at the edge of the ball: it has steps like stairs.",
-  fr = "Un rayon par pixel. Regardez le bord de la boule : il est en marches d'escalier." }
+  fr = "Un rayon par pixel. Regardez le bord de la boule : il est en marches d'escalier." }
 
 ask {
   en = "We send more rays through other places of each pixel, and take their mean. What happens to the edge?",
-  fr = "Envoyons d'autres rayons par d'autres endroits de chaque pixel, et prenons la moyenne. Que devient le bord ?",
+  fr = "Envoyons d'autres rayons par d'autres endroits de chaque pixel, et prenons la moyenne. Que devient le bord ?",
   choices = {
-    { en = "It gets smooth: pixels there get colours between", fr = "Il devient lisse : des couleurs intermédiaires" },
-    { en = "The steps get finer: there are more pixels", fr = "Les marches sont plus fines : il y a plus de pixels" },
-    { en = "Nothing: the ball has not changed", fr = "Rien : la boule n'a pas changé" },
+    { en = "It gets smooth: pixels there get colours between", fr = "Il devient lisse : des couleurs intermédiaires" },
+    { en = "The steps get finer: there are more pixels", fr = "Les marches sont plus fines : il y a plus de pixels" },
+    { en = "Nothing: the ball has not changed", fr = "Rien : la boule n'a pas changé" },
   },
   right = 1,
   because = {
@@ -65,7 +66,7 @@ press "layer light"
 
 ask {
   en = "We allow only 3 times. What will change?",
-  fr = "N'en permettons que 3. Qu'est-ce qui va changer ?",
+  fr = "N'en permettons que 3. Qu'est-ce qui va changer ?",
   choices = {
     { en = "The whole picture gets darker", fr = "Toute l'image devient plus sombre" },
     { en = "The mirror images disappear", fr = "Les reflets disparaissent" },
@@ -81,11 +82,11 @@ wait(1)
 press "as at first"
 caption { wait = true,
   en = "Numbers cost time, too: float knows 7 digits, double 16, and double takes longer.",
-  fr = "Les nombres aussi coûtent du temps : float a 7 chiffres, double 16, et double est plus lent." }
+  fr = "Les nombres aussi coûtent du temps : float a 7 chiffres, double 16, et double est plus lent." }
 
 ask {
   en = "We draw the picture with both. Where do they differ so much that one could see it?",
-  fr = "Dessinons l'image avec les deux. Où la différence serait-elle assez grande pour se voir ?",
+  fr = "Dessinons l'image avec les deux. Où la différence serait-elle assez grande pour se voir ?",
   choices = {
     { en = "Nearly nowhere", fr = "Presque nulle part" },
     { en = "In all dark places", fr = "Dans tous les endroits sombres" },

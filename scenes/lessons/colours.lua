@@ -12,12 +12,12 @@ local function lamp(x, y, color)
   light { position = {x, y, 6}, color = color, intensity = 0.85 }
 end
 if stage <= 0 then
-  lamp(-3, 2.8, {1, 1, 1})
+  lamp(-3, 4.6, {1, 1, 1})
 else
-  lamp(-3, 2.8, {1, 0, 0})
+  lamp(-3, 4.6, {1, 0, 0})
 end
-if stage >= 2 then lamp(3, 2.8, {0, 1, 0}) end
-if stage >= 3 then lamp(0, 4.6, {0, 0, 1}) end
+if stage >= 2 then lamp(3, 4.6, {0, 1, 0}) end
+if stage >= 3 then lamp(0, 5.6, {0, 0, 1}) end
 
 -- White wall and white floor: they give back all the light that they get.
 local white = material { color = {1, 1, 1} }
@@ -30,4 +30,4 @@ for i, color in ipairs { {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 1, 1} }
 end
 
 -- A white ball in the air: its shadows lie on the wall.
-sphere { center = {0, 2.4, 0.4}, radius = 0.4, material = white }
+sphere { center = {0, 2.9, 0.4}, radius = 0.4, material = white }

@@ -23,6 +23,19 @@ void sanitize_text(char *out, size_t size, const char *text, size_t length);
  * escaped, too. */
 void sanitize_line(char *out, size_t size, const char *text);
 
+/**
+ * Size of a sanitized path, with its final zero. A longer path is cut at its start: the sentence
+ * after it must fit in an #Error.
+ */
+enum { SANITIZED_PATH_SIZE = 768 };
+
+/**
+ * Copies a path for a message: sanitized as one line, and cut at its start if it is long.
+ * @param[out] out  The copy.
+ * @param path      The path.
+ */
+void sanitize_path(char out[SANITIZED_PATH_SIZE], const char *path);
+
 /** Prints a message like #sanitize_text. */
 void sanitize_print(const char *text, FILE *stream);
 

@@ -4,6 +4,8 @@
  */
 #include "base/utf8.h"
 
+#include <string.h>
+
 /** Bits of a byte that follows the first one of a character: these are 10, then six of the code. */
 enum { FOLLOWING_MASK = 0xC0, FOLLOWING_MARK = 0x80, FOLLOWING_BITS = 6 };
 
@@ -30,4 +32,16 @@ bool utf8_is_control(uint32_t code) {
     bool is_direction = code == 0x061C || code == 0x200E || code == 0x200F ||
                         (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
     return code < 0x20 || (code >= 0x7F && code <= 0x9F) || is_direction;
+}
+
+bool utf8_is_printable(const char *text) {
+    size_t size = 0;
+    for (size_t left = strlen(text); left > 0; left -= size, text += size) {
+        uint32_t code;
+        size = utf8_decode(text, left, &code);
+        if (size == 0 || utf8_is_control(code)) {
+            return false;
+        }
+    }
+    return true;
 }

@@ -16,20 +16,21 @@
 
 /** An animation under way. */
 typedef struct Animation {
-    const Options *options; /**< The command line. */
-    FrameRange frames;      /**< The frames. */
-    double fps;             /**< Frames per second. */
-    bool is_film;           /**< Whether the output is one film instead of numbered files. */
-    bool is_rendered;       /**< Whether frames are rendered instead of read from files. */
-    FramePattern output;    /**< Numbered files to write, unless #is_film. */
-    FramePattern input;     /**< Numbered files to read, unless #is_rendered. */
-    Film *film;             /**< The film, from the first frame on; owned. */
-    AssetCache *cache;      /**< Assets of the scenes of all frames; owned. */
-    Scene *scene;           /**< Scene of the newest frame; owned. */
-    Renderer *renderer;     /**< Its renderer; owned. */
-    Picture picture;        /**< The newest frame. */
-    Progress *progress;     /**< Progress, or NULL. */
-    int done;               /**< Number of frames that are done. */
+    const Options *options;  /**< The command line. */
+    FrameRange frames;       /**< The frames. */
+    double fps;              /**< Frames per second. */
+    bool is_film;            /**< Whether the output is one film instead of numbered files. */
+    bool is_rendered;        /**< Whether frames are rendered instead of read from files. */
+    FramePattern output;     /**< Numbered files to write, unless #is_film. */
+    FramePattern input;      /**< Numbered files to read, unless #is_rendered. */
+    Film *film;              /**< The film, from the first frame on; owned. */
+    AssetCache *cache;       /**< Assets of the scenes of all frames; owned. */
+    Scene *scene;            /**< Scene of the newest frame; owned. */
+    RenderSettings settings; /**< Its settings. */
+    Renderer *renderer;      /**< Its renderer; owned. */
+    Picture picture;         /**< The newest frame. */
+    Progress *progress;      /**< Progress, or NULL. */
+    int done;                /**< Number of frames that are done. */
 } Animation;
 
 /** Computes the range of frames. @return false for none, too many, or frames beyond the end. */
@@ -90,11 +91,23 @@ static bool check_output(const Animation *animation, Error *error) {
            image_file_check(path, error);
 }
 
+/** Makes a scene that of the newest frame, with its settings. @param scene Ownership passes; may be
+ *  NULL. */
+static void use_scene(Animation *animation, Scene *scene) {
+    bool is_first = !animation->scene;
+    scene_destroy(animation->scene);
+    animation->scene = scene;
+    if (scene) {
+        animation->settings = is_first ? command_print_notes(animation->options, scene)
+                                       : command_render_settings(animation->options, scene);
+    }
+}
+
 /**
  * Renders a frame. Where the scene does not depend on time, the previous frame is kept.
  * @return false on failure or interruption.
  */
-static bool render_frame(Animation *animation, const RenderJob *job, Error *error) {
+static bool render_frame(Animation *animation, RenderJob *job, Error *error) {
     RenderStats report = {.is_finished = true};
     if (animation->scene && !animation->scene->is_time_dependent) {
         progress_done(animation->progress);
@@ -102,11 +115,8 @@ static bool render_frame(Animation *animation, const RenderJob *job, Error *erro
     }
     Scene *scene =
         command_load_scene_at(job->options, job->time, animation->cache, interrupt_flag(), error);
-    if (scene && !animation->scene) {
-        command_print_notes(scene);
-    }
-    scene_destroy(animation->scene);
-    animation->scene = scene;
+    use_scene(animation, scene);
+    job->settings = animation->settings;
     picture_deinit(&animation->picture);
     return scene &&
            command_render(job, scene, &animation->renderer, &animation->picture, &report, error) &&
@@ -141,9 +151,8 @@ static bool write_frame(Animation *animation, const RenderJob *job, Error *error
     if (animation->is_film) {
         return add_frame(animation, error);
     }
-    return animation->is_rendered
-               ? command_write_image(job, animation->scene, &animation->picture, error)
-               : command_write_file(job, &animation->picture, error);
+    return animation->is_rendered ? command_write_image(job, &animation->picture, error)
+                                  : command_write_file(job, &animation->picture, error);
 }
 
 /** Renders or reads a frame and writes it. @return false on failure. */
@@ -153,6 +162,7 @@ static bool produce_frame(Animation *animation, int number, Error *error) {
     RenderJob job = {.options = options,
                      .output = animation->is_film ? options->output : path,
                      .time = options->time + number / animation->fps,
+                     .settings = animation->settings,
                      .progress = animation->progress};
     if (!animation->is_film && !frame_pattern_path(&animation->output, number, path, error)) {
         return false;

@@ -104,12 +104,13 @@ static bool bench_frame_count(const Options *options, int *frames, Error *error)
 
 void cli_bench(const Options *options, Error *error) {
     int frames;
-    Scene *scene =
-        bench_frame_count(options, &frames, error) ? command_load_scene(options, error) : NULL;
+    RenderSettings settings;
+    Scene *scene = bench_frame_count(options, &frames, error)
+                       ? command_load_scene(options, &settings, error)
+                       : NULL;
     if (!scene) {
         return;
     }
-    RenderSettings settings = command_render_settings(options, scene);
     Renderer *renderer = renderer_create(scene, &settings, error);
     BenchResult result = {0};
     if (renderer && bench_measure(renderer, (BenchRays)options->rays, frames, &result, error)) {

@@ -21,12 +21,12 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     char name[256];
     one.arguments[0] = path;
     one.argument_count = 1;
-    Scene *scene = command_load_scene(&one, error);
+    RenderSettings settings;
+    Scene *scene = command_load_scene(&one, &settings, error);
     if (!scene) {
         return false;
     }
     Chart chart;
-    RenderSettings settings = command_render_settings(&one, scene);
     scene_name_from_path(path, name, sizeof name);
     bool is_written = chart_measure(scene, &settings, request->stop, &chart, error) &&
                       chart_save(&chart, name, request, has_chart, error);

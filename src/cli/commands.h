@@ -23,12 +23,14 @@ void cli_needs(const Options *options, Error *error);   /**< `needs` */
 void cli_chart(const Options *options, Error *error);   /**< `chart` */
 void cli_lab(const Options *options, Error *error);     /**< `lab` */
 
-/** Loads the scene of a command line and prints its notes. @return The scene, to be freed with
- *  #scene_destroy; NULL on failure. */
-Scene *command_load_scene(const Options *options, Error *error);
+/** Loads the scene of a command line and prints its notes. @param[out] settings See
+ *  #command_render_settings. @return The scene, to be freed with #scene_destroy; NULL on failure.
+ */
+Scene *command_load_scene(const Options *options, RenderSettings *settings, Error *error);
 
-/** Prints the notes of a scene on standard error, and which of its surfaces coincide. */
-void command_print_notes(const Scene *scene);
+/** Prints the notes of a scene on standard error, and which of its surfaces coincide. @return See
+ *  #command_render_settings. */
+RenderSettings command_print_notes(const Options *options, const Scene *scene);
 
 /**
  * Loads the scene of a command line at another time.
@@ -77,6 +79,9 @@ void interrupt_init(void);
  */
 const atomic_bool *interrupt_flag(void);
 
+/** From now on the signals of #interrupt_init no longer end the program: it ends what it writes. */
+void interrupt_defer(void);
+
 /** Progress of reading mesh files. */
 typedef struct MeshReadProgress {
     MeshProgress callbacks; /**< The callbacks of the reader. */
@@ -116,10 +121,11 @@ void progress_end(Progress *progress);
 
 /** A picture to render. */
 typedef struct RenderJob {
-    const Options *options; /**< The command line. */
-    const char *output;     /**< The output file. */
-    double time;            /**< The scene's `t`, seconds. */
-    Progress *progress;     /**< Progress; may be NULL. */
+    const Options *options;  /**< The command line. */
+    const char *output;      /**< The output file. */
+    double time;             /**< The scene's `t`, seconds. */
+    RenderSettings settings; /**< See #command_render_settings. */
+    Progress *progress;      /**< Progress; may be NULL. */
 } RenderJob;
 
 /**
@@ -149,6 +155,6 @@ bool command_write_file(const RenderJob *job, const Picture *picture, Error *err
  * @param[in,out] picture  The picture; without metadata afterwards.
  * @return false on failure.
  */
-bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error);
+bool command_write_image(const RenderJob *job, Picture *picture, Error *error);
 
 #endif

@@ -6,7 +6,7 @@
 #include "base/sanitize.h"
 #include "cli/commands.h"
 #include "dioptre/script.h"
-#include "render/z_fighting/z_fighting.h"
+#include "render/precision_estimate.h"
 
 #include <ctype.h>
 #include <libintl.h>
@@ -19,10 +19,10 @@ static atomic_bool is_interrupted;
 /** Whether a command looks at #is_interrupted and ends by itself. */
 static atomic_bool is_awaited;
 
-Scene *command_load_scene(const Options *options, Error *error) {
+Scene *command_load_scene(const Options *options, RenderSettings *settings, Error *error) {
     Scene *scene = command_load_scene_at(options, options->time, NULL, &is_interrupted, error);
     if (scene) {
-        command_print_notes(scene);
+        *settings = command_print_notes(options, scene);
     }
     return scene;
 }
@@ -46,17 +46,6 @@ static void print_coincident(const ZFighting *found) {
     }
 }
 
-void command_print_notes(const Scene *scene) {
-    for (size_t i = 0; i < scene->note_count; i++) {
-        sanitize_print_line(scene->notes[i], stderr);
-        fputc('\n', stderr);
-    }
-    ZFighting found = z_fighting_of(scene);
-    if (found.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
-        print_coincident(&found);
-    }
-}
-
 Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
                              const atomic_bool *stop, Error *error) {
     MeshReadProgress mesh_progress;
@@ -71,8 +60,10 @@ Scene *command_load_scene_at(const Options *options, double time, AssetCache *ca
     return script_load(&request, error);
 }
 
-RenderSettings command_render_settings(const Options *options, const Scene *scene) {
-    RenderSettings settings = render_settings_default(scene);
+/** @return The settings of a scene of that estimate, with those of the command line over them. */
+static RenderSettings settings_from(const Options *options, const Scene *scene,
+                                    const PrecisionEstimate *estimate) {
+    RenderSettings settings = precision_estimate_settings(estimate, scene);
     settings.engine = options->engine ? options->engine : settings.engine;
     settings.threads = options->threads ? options->threads : settings.threads;
     settings.width = options->width ? options->width : settings.width;
@@ -87,6 +78,23 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     trace->pixel_point = (PixelPoint)options->pixel;
     trace->epsilon = options->epsilon >= 0 ? options->epsilon : trace->epsilon;
     return settings;
+}
+
+RenderSettings command_render_settings(const Options *options, const Scene *scene) {
+    PrecisionEstimate estimate = precision_estimate_of(scene);
+    return settings_from(options, scene, &estimate);
+}
+
+RenderSettings command_print_notes(const Options *options, const Scene *scene) {
+    PrecisionEstimate estimate = precision_estimate_of(scene);
+    for (size_t i = 0; i < scene->note_count; i++) {
+        sanitize_print_line(scene->notes[i], stderr);
+        fputc('\n', stderr);
+    }
+    if (estimate.z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
+        print_coincident(&estimate.z_fighting);
+    }
+    return settings_from(options, scene, &estimate);
 }
 
 void print_padded(const char *text, int width) {
@@ -114,7 +122,11 @@ void interrupt_init(void) {
     }
 }
 
-const atomic_bool *interrupt_flag(void) {
+void interrupt_defer(void) {
     atomic_store(&is_awaited, true);
+}
+
+const atomic_bool *interrupt_flag(void) {
+    interrupt_defer();
     return &is_interrupted;
 }

@@ -51,7 +51,7 @@ static void compare_pictures(const Picture *a, const Picture *b, const Options *
     if (options->map && !picture_init(&map, a->width, a->height, error)) {
         return;
     }
-    interrupt_flag(); // The map is still written after a signal: no temporary file is left.
+    interrupt_defer(); // The map is still written after a signal: no temporary file is left.
     PictureComparison comparison = picture_compare(a, b, options->map ? &map : NULL);
     bool is_written = !options->map || image_file_write(options->map, &map, error);
     picture_deinit(&map);

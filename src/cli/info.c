@@ -519,12 +519,12 @@ static void info_print_json(const SceneInfo *info) {
 }
 
 void cli_info(const Options *options, Error *error) {
-    Scene *scene = command_load_scene(options, error);
+    SceneInfo info = {.options = options};
+    Scene *scene = command_load_scene(options, &info.settings, error);
     if (!scene) {
         return;
     }
-    SceneInfo info = {
-        .scene = scene, .options = options, .settings = command_render_settings(options, scene)};
+    info.scene = scene;
     Renderer *renderer = renderer_create(scene, &info.settings, error);
     if (renderer) {
         count_shapes(&info);

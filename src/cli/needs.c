@@ -255,13 +255,13 @@ void cli_needs(const Options *options, Error *error) {
         error_set(error, STATUS_USAGE, "needs takes --error or --budget, not both");
         return;
     }
-    Scene *scene = command_load_scene(options, error);
+    RenderSettings settings;
+    Scene *scene = command_load_scene(options, &settings, error);
     if (!scene) {
         return;
     }
     Needs needs;
     NeedsProgress progress = {.is_wanted = isatty(STDERR_FILENO) && !options->quiet};
-    RenderSettings settings = command_render_settings(options, scene);
     NeedsRequest request = {.width = settings.width,
                             .height = settings.height,
                             .samples = settings.samples,

@@ -244,6 +244,8 @@ static const OptionSpec option_specs[] = {
      .help = N_("write a picture of the differences")},
     {"svg", 0, N_("FILE"), STORES(name, svg), .commands = COMMAND_PROBE,
      .help = N_("draw the rays there, as seen from beside")},
+    {"ray", 0, N_("N"), STORES(integer, ray), .maximum = RAY_TREE_MAX_NODES,
+     .commands = COMMAND_PROBE, .help = N_("only this ray: its formulas with their numbers")},
     {"keys", 0, N_("WAY"), STORES(word, keys), .words = keys_words, .commands = COMMAND_VIEW,
      .help = N_("places or letters: what the light's keys are bound to")},
     {"lesson", 0, N_("FILE"), STORES(name, lesson), .commands = COMMAND_VIEW,
@@ -374,7 +376,8 @@ static bool parse_option(const Command *command, int code, const char *word, Opt
 }
 
 Options options_default(void) {
-    return (Options){.depth = -1, .cutoff = -1, .offset = -1, .epsilon = -1, .seconds = -1};
+    return (Options){
+        .depth = -1, .ray = -1, .cutoff = -1, .offset = -1, .epsilon = -1, .seconds = -1};
 }
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {

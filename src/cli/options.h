@@ -70,6 +70,7 @@ typedef struct Options {
     FrameRange frames;                        /**< `--frames`; default: step 0. */
     double seconds;                           /**< `--seconds`; default -1. */
     double fps;                               /**< `--fps` */
+    int ray;                                  /**< `--ray`; default -1: none. */
     int threshold;                            /**< `--threshold`, steps of 8 bits. */
     double time;                              /**< `--time`, seconds. */
     int offset;                               /**< `--offset`: an #OffsetStrategy; default -1. */

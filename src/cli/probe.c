@@ -44,14 +44,6 @@ static bool read_pixel_position(const Options *options, ProbeReport *report, Err
     return report->y >= 0;
 }
 
-/** @return The settings of a probe: those of `render`, but one sample per pixel by default. */
-static RenderSettings probe_settings(const Options *options, const Scene *scene) {
-    RenderSettings settings = command_render_settings(options, scene);
-    settings.samples = options->samples ? options->samples : 1;
-    settings.threads = 1;
-    return settings;
-}
-
 /**
  * Writes a side view of the rays as SVG.
  * @param path  The file.
@@ -66,9 +58,18 @@ static bool probe_write_svg(const ProbeReport *report, const Renderer *renderer,
     snprintf(title, sizeof title, gettext("%.400s: pixel %d %d, colour #%02x%02x%02x"),
              report->path, report->x, report->y, (unsigned)pixel.channels[0],
              (unsigned)pixel.channels[1], (unsigned)pixel.channels[2]);
-    interrupt_flag(); // The drawing is still written after a signal: no temporary file is left.
-    RayChart chart = {report->scene, &report->settings, renderer, report->tree, title};
+    interrupt_defer(); // The drawing is still written after a signal: no temporary file is left.
+    RayChart chart = {report->scene, &report->settings,
+                      renderer,      report->tree,
+                      title,         report->ray < 0 ? RAY_CHART_NO_RAY : (size_t)report->ray};
     return ray_chart_write(&chart, path, error);
+}
+
+/** @return Whether the chosen ray exists, or none is chosen. */
+static bool check_ray(const ProbeReport *report, Error *error) {
+    return report->ray < (int)report->tree->count ||
+           error_set(error, STATUS_USAGE, "--ray must be from 0 to %zu at this pixel, not %d",
+                     report->tree->count - 1, report->ray);
 }
 
 /** Records the ray tree of a pixel and prints it. @param report The pixel; gets the tree. */
@@ -76,12 +77,13 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
     Renderer *renderer = renderer_create(report->scene, &report->settings, error);
     RayTree tree = {0};
     report->tree = &tree;
-    if (renderer && renderer_record_ray_tree(renderer, report->x, report->y, &tree, error)) {
+    if (renderer && renderer_record_ray_tree(renderer, report->x, report->y, &tree, error) &&
+        check_ray(report, error)) {
         bool is_drawn = !options->svg || probe_write_svg(report, renderer, options->svg, error);
         if (is_drawn && options->json) {
             probe_print_json(report);
         } else if (is_drawn && !options->quiet) {
-            probe_print(report);
+            report->ray < 0 ? probe_print(report) : probe_print_ray(report);
         }
     }
     ray_tree_deinit(&tree);
@@ -89,12 +91,16 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
 }
 
 void cli_probe(const Options *options, Error *error) {
-    Scene *scene = command_load_scene(options, error);
+    ProbeReport report = {.path = options->arguments[0], .ray = options->ray};
+    Scene *scene = command_load_scene(options, &report.settings, error);
     if (!scene) {
         return;
     }
-    ProbeReport report = {
-        .scene = scene, .path = options->arguments[0], .settings = probe_settings(options, scene)};
+    report.scene = scene;
+    report.ray = options->ray;
+    // The settings are those of `render`, but one sample per pixel by default.
+    report.settings.samples = options->samples ? options->samples : 1;
+    report.settings.threads = 1;
     if (read_pixel_position(options, &report, error)) {
         probe_trace_and_print(options, &report, error);
     }

@@ -15,10 +15,14 @@ typedef struct ProbeReport {
     int x;                   /**< The pixel's column. */
     int y;                   /**< Its row. */
     const RayTree *tree;     /**< Its rays, at least one. */
+    int ray;                 /**< Index of the chosen ray; -1: none. */
 } ProbeReport;
 
 /** Prints it as text. */
 void probe_print(const ProbeReport *report);
+
+/** Prints the formulas of the chosen ray, and its sum. */
+void probe_print_ray(const ProbeReport *report);
 
 /** Prints it as JSON, one object per ray. */
 void probe_print_json(const ProbeReport *report);

@@ -7,6 +7,8 @@
 #include "cli/commands.h"
 #include "cli/probe.h"
 #include "dioptre/scene.h"
+#include "render/ray_drawing.h"
+#include "render/ray_formula.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -17,6 +19,8 @@ enum { INDENT = 2 };
 enum { INDENT_MAXIMUM = 24 };
 /** Width of the labels of lines, letters. */
 enum { LABEL_WIDTH = 14 };
+/** Width of the labels of formulas, letters. */
+enum { FORMULA_LABEL_WIDTH = 24 };
 /** Bytes of the label of a term of the sum. */
 enum { TERM_NAME_SIZE = 64 };
 
@@ -222,4 +226,33 @@ void probe_print(const ProbeReport *report) {
     putchar('\n');
     print_rays(report);
     print_sum(report);
+}
+
+/** Prints formulas, one per line. */
+static void print_formulas(const RayFormulas *formulas) {
+    for (size_t i = 0; i < formulas->count; i++) {
+        printf("%*s", INDENT, "");
+        print_padded(formulas->items[i].label, FORMULA_LABEL_WIDTH);
+        puts(formulas->items[i].text);
+    }
+    if (formulas->omitted > 0) {
+        printf(gettext("and %zu more"), formulas->omitted);
+        putchar('\n');
+    }
+}
+
+void probe_print_ray(const ProbeReport *report) {
+    const size_t index = (size_t)report->ray;
+    const RayFormulaInput input = {report->scene, report->tree,
+                                   report->settings.trace.methods == 0};
+    RayFormulas formulas;
+    printf(gettext("Ray %zu: %s"), index, gettext(ray_style(&report->tree->nodes[index])->name));
+    putchar('\n');
+    ray_formulas_write(&input, index, &formulas);
+    print_formulas(&formulas);
+    putchar('\n');
+    printf(gettext("The sum of ray %zu"), index);
+    putchar('\n');
+    ray_sum_write(&input, index, &formulas);
+    print_formulas(&formulas);
 }

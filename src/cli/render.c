@@ -15,13 +15,13 @@
 
 bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
                     RenderStats *report, Error *error) {
-    RenderSettings settings = command_render_settings(job->options, scene);
-    if (!picture_init(picture, settings.width, settings.height, error) ||
+    const RenderSettings *settings = &job->settings;
+    if (!picture_init(picture, settings->width, settings->height, error) ||
         (image_file_is_linear(job->output) && !picture_allocate_linear(picture, error))) {
         return false;
     }
     Renderer *previous = *renderer;
-    *renderer = renderer_create_reusing(previous, scene, &settings, error);
+    *renderer = renderer_create_reusing(previous, scene, settings, error);
     renderer_destroy(previous);
     if (*renderer) {
         progress_set_renderer(job->progress, *renderer);
@@ -36,10 +36,9 @@ bool command_write_file(const RenderJob *job, const Picture *picture, Error *err
                                  : image_file_write(job->output, picture, error);
 }
 
-bool command_write_image(const RenderJob *job, const Scene *scene, Picture *picture, Error *error) {
+bool command_write_image(const RenderJob *job, Picture *picture, Error *error) {
     RenderMetadata metadata;
-    RenderSettings settings = command_render_settings(job->options, scene);
-    render_metadata_init(&metadata, job->options, job->time, &settings);
+    render_metadata_init(&metadata, job->options, job->time, &job->settings);
     picture->metadata = metadata.entries;
     bool is_written = command_write_file(job, picture, error);
     picture->metadata = NULL;
@@ -64,7 +63,7 @@ void command_print_unresolved(const Options *options, const RayCounts *rays) {
  * than a part of the new one, or the file itself where there is none.
  * @param path       The file of the whole picture.
  * @param[out] part  The file of the part. A name is cut to NAME_MAX bytes.
- * @return Whether it is another file.
+ * @return Whether it is another file. Where its path would be too long, it is empty.
  */
 static bool part_path(const char *path, char part[PATH_MAX]) {
     OutputPath target;
@@ -81,20 +80,27 @@ static bool part_path(const char *path, char part[PATH_MAX]) {
     int written = snprintf(part, PATH_MAX, "%.*s%s%s",
                            (int)(name - path) + (length < longest ? length : longest), path,
                            PART_SUFFIX, extension);
-    return written < PATH_MAX;
+    if (written >= PATH_MAX) {
+        part[0] = '\0'; // A cut path would name another file.
+    }
+    return true;
 }
 
 /**
  * Writes what there is of a picture after an interruption.
  * @param[out] error  Where it is (#STATUS_INTERRUPTED), or why it is not written.
  */
-static void write_part(const RenderJob *job, const Scene *scene, Picture *picture,
-                       const RenderStats *report, Error *error) {
+static void write_part(const RenderJob *job, Picture *picture, const RenderStats *report,
+                       Error *error) {
     char path[PATH_MAX];
     RenderJob part = *job;
     bool is_beside = part_path(job->output, path);
     part.output = path;
-    if (!command_write_image(&part, scene, picture, error)) {
+    if (path[0] == '\0') {
+        error_set(error, STATUS_INTERRUPTED, "interrupted");
+        return;
+    }
+    if (!command_write_image(&part, picture, error)) {
         return;
     }
     double percent = 100 * report->progress;
@@ -106,8 +112,12 @@ static void write_part(const RenderJob *job, const Scene *scene, Picture *pictur
 }
 
 /** Renders a scene and writes the picture. */
-static void render_scene(const Scene *scene, const Options *options, Error *error) {
-    RenderJob job = {.options = options, .output = options->output, .time = options->time};
+static void render_scene(const Scene *scene, const Options *options, const RenderSettings *settings,
+                         Error *error) {
+    RenderJob job = {.options = options,
+                     .output = options->output,
+                     .time = options->time,
+                     .settings = *settings};
     Picture picture = {0};
     Renderer *renderer = NULL;
     RenderStats report = {0};
@@ -116,8 +126,8 @@ static void render_scene(const Scene *scene, const Options *options, Error *erro
     renderer_destroy(renderer);
     progress_end(job.progress);
     if (is_done && !report.is_finished) {
-        write_part(&job, scene, &picture, &report, error);
-    } else if (is_done && command_write_image(&job, scene, &picture, error)) {
+        write_part(&job, &picture, &report, error);
+    } else if (is_done && command_write_image(&job, &picture, error)) {
         command_print_unresolved(options, &report.rays);
     }
     picture_deinit(&picture);
@@ -131,9 +141,10 @@ void cli_render(const Options *options, Error *error) {
     if (!image_file_check(options->output, error)) {
         return;
     }
-    Scene *scene = command_load_scene(options, error);
+    RenderSettings settings;
+    Scene *scene = command_load_scene(options, &settings, error);
     if (scene) {
-        render_scene(scene, options, error);
+        render_scene(scene, options, &settings, error);
         scene_destroy(scene);
     }
 }

@@ -4,6 +4,7 @@
  */
 #include "cli/render_metadata.h"
 
+#include "base/base_name.h"
 #include "cli/commands.h"
 #include "dioptre/scene.h"
 
@@ -28,8 +29,7 @@ add_entry(RenderMetadata *metadata, const char *name, const char *format, ...) {
 
 /** @return A file's name without its folder. @param path The file; `-` is standard input. */
 static const char *base_name_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path;
+    return strcmp(path, "-") == 0 ? "standard input" : base_name(path);
 }
 
 void render_metadata_init(RenderMetadata *metadata, const Options *options, double time,

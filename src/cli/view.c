@@ -105,11 +105,9 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
     }
     AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
     Scene *scene = cache ? command_load_scene_at(&options, time, cache, stop, error) : NULL;
-    if (scene && needs_new_cache) {
-        command_print_notes(scene);
-    }
     if (scene) {
-        *render = command_render_settings(&options, scene);
+        *render = needs_new_cache ? command_print_notes(&options, scene)
+                                  : command_render_settings(&options, scene);
         store_loaded(source, &options, cache);
         return scene;
     }

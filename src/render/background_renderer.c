@@ -8,6 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/** Seconds from the start until tiles of the first pass are shown, and between such pictures: a
+ *  pass that is shorter is shown at once. */
+static const double PART_INTERVAL = 0.04;
+
 void background_renderer_init(BackgroundRenderer *background) {
     pthread_mutex_init(&background->mutex, NULL);
     pthread_cond_init(&background->wake, NULL);
@@ -32,6 +36,34 @@ static void background_renderer_publish(Renderer *renderer, const RenderStats *s
     }
 }
 
+/** Shows the tiles of the first pass that are done. */
+static void background_renderer_publish_part(RenderPass *pass) {
+    BackgroundRenderer *background = &pass->renderer->background;
+    RenderStats stats = render_pass_stats(pass, false);
+    stats.is_part = true;
+    pthread_mutex_lock(&background->mutex);
+    background->has_part = true;
+    background->stats = stats;
+    RenderPassCallback callback = background->callback;
+    void *context = background->context;
+    pthread_mutex_unlock(&background->mutex);
+    if (callback) {
+        callback(context);
+    }
+}
+
+/** Notes a tile of the first pass, and shows what is there from time to time. See
+ *  #RenderPass.on_tile. */
+static void background_renderer_on_tile(RenderPass *pass, size_t index) {
+    BackgroundRenderer *background = &pass->renderer->background;
+    double now = clock_now_seconds(), due = atomic_load(&background->next_part_time);
+    atomic_store_explicit(&background->tiles[index], true, memory_order_release);
+    if (now >= due &&
+        atomic_compare_exchange_strong(&background->next_part_time, &due, now + PART_INTERVAL)) {
+        background_renderer_publish_part(pass);
+    }
+}
+
 /** Renders the requested picture, pass by pass, until it is finished or stopped. */
 static void background_renderer_render(Renderer *renderer) {
     BackgroundRenderer *background = &renderer->background;
@@ -40,6 +72,9 @@ static void background_renderer_render(Renderer *renderer) {
         renderer_make_pass(renderer, background->width, background->height, &background->stop);
     pass.accumulator = &renderer->accumulator;
     pass.layer = renderer->layer_renderer.layer;
+    // A layer has colours only when all of its numbers are known.
+    pass.on_tile = pass.layer == LAYER_SHADED ? background_renderer_on_tile : NULL;
+    atomic_store(&background->next_part_time, pass.start + PART_INTERVAL);
     PassRange next = {0};
     bool is_more = pass_range_next(&next, passes.samples, passes.has_preview);
     while (is_more) {
@@ -48,6 +83,7 @@ static void background_renderer_render(Renderer *renderer) {
         if (!passes.run(&pass)) {
             return;
         }
+        pass.on_tile = NULL;
         is_more = pass_range_next(&next, passes.samples, passes.has_preview);
         RenderStats stats = render_pass_stats(&pass, !is_more);
         background_renderer_publish(renderer, &stats);
@@ -93,6 +129,8 @@ void renderer_stop(Renderer *renderer) {
 static void background_buffers_deinit(BackgroundRenderer *background) {
     picture_deinit(&background->back);
     picture_deinit(&background->front);
+    free(background->tiles);
+    background->tiles = NULL;
 }
 
 /**
@@ -112,6 +150,11 @@ static bool background_buffers_resize(Renderer *renderer, int width, int height,
                                              renderer_is_adaptive(renderer), error) &&
                    picture_init(&background->back, width, height, error) &&
                    picture_init(&background->front, width, height, error);
+    background->tiles = calloc(tile_count(width, height), sizeof *background->tiles);
+    if (is_made && !background->tiles) {
+        is_made =
+            error_set(error, STATUS_FAILED, "no memory for %zu tiles", tile_count(width, height));
+    }
     if (!is_made) {
         background_buffers_deinit(background);
     }
@@ -149,7 +192,10 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
     pthread_mutex_lock(&background->mutex);
     background->callback = callback;
     background->context = context;
-    background->has_front = false;
+    background->has_front = background->has_part = false;
+    for (size_t i = 0; i < tile_count(width, height); i++) {
+        atomic_store_explicit(&background->tiles[i], false, memory_order_relaxed);
+    }
     background->is_requested = true;
     atomic_store(&background->stop, false);
     pthread_cond_signal(&background->wake);
@@ -157,12 +203,15 @@ bool renderer_start(Renderer *renderer, const Scene *scene, int width, int heigh
     return true;
 }
 
-/** Copies a picture in the byte order of screens. @param pitch Bytes from a row to the next. */
-static void copy_bgrx(const Picture *picture, uint8_t *bgrx, int pitch) {
-    const uint8_t *from = picture->pixels;
-    for (int y = 0; y < picture->height; y++) {
-        uint8_t *to = bgrx + (ptrdiff_t)y * pitch;
-        for (int x = 0; x < picture->width; x++, from += 3, to += 4) {
+/** Copies a rectangle of a picture in the byte order of screens. @param pitch Bytes from a row of
+ *  the whole to the next. */
+static void copy_bgrx(const Picture *picture, const PixelGrid *rectangle, uint8_t *bgrx,
+                      int pitch) {
+    for (int y = rectangle->y; y < rectangle->y + rectangle->rows; y++) {
+        size_t first = (size_t)y * (size_t)picture->width + (size_t)rectangle->x;
+        const uint8_t *from = picture->pixels + 3 * first;
+        uint8_t *to = bgrx + (ptrdiff_t)y * pitch + (ptrdiff_t)4 * rectangle->x;
+        for (int x = 0; x < rectangle->columns; x++, from += 3, to += 4) {
             to[0] = from[2];
             to[1] = from[1];
             to[2] = from[0];
@@ -171,14 +220,30 @@ static void copy_bgrx(const Picture *picture, uint8_t *bgrx, int pitch) {
     }
 }
 
+/** Copies the tiles of the first pass that are done. */
+static void copy_tiles(const BackgroundRenderer *background, uint8_t *bgrx, int pitch) {
+    const Picture *back = &background->back;
+    for (size_t i = 0; i < tile_count(back->width, back->height); i++) {
+        if (atomic_load_explicit(&background->tiles[i], memory_order_acquire)) {
+            PixelGrid tile = tile_at(back->width, back->height, i);
+            copy_bgrx(back, &tile, bgrx, pitch);
+        }
+    }
+}
+
 bool renderer_copy_latest(Renderer *renderer, RenderStats *stats, uint8_t *bgrx, int pitch) {
     BackgroundRenderer *background = &renderer->background;
     pthread_mutex_lock(&background->mutex);
-    bool is_available = background->has_front;
+    bool is_available = background->has_front || background->has_part;
     if (is_available) {
         *stats = background->stats;
-        if (bgrx) {
-            copy_bgrx(&background->front, bgrx, pitch);
+    }
+    if (is_available && bgrx) {
+        const Picture *front = &background->front;
+        PixelGrid whole = {.columns = front->width, .rows = front->height};
+        copy_bgrx(front, &whole, bgrx, pitch);
+        if (!background->has_front) {
+            copy_tiles(background, bgrx, pitch);
         }
     }
     pthread_mutex_unlock(&background->mutex);
@@ -221,6 +286,20 @@ bool renderer_read_pixel(Renderer *renderer, int x, int y, PixelReading *reading
                                                  &reading->distance);
     }
     return is_available;
+}
+
+void renderer_copy_part(Renderer *renderer, int x, int y, int columns, int rows, uint8_t *rgb) {
+    BackgroundRenderer *background = &renderer->background;
+    pthread_mutex_lock(&background->mutex);
+    const Picture *picture = &background->front;
+    for (int i = 0; background->has_front && i < columns * rows; i++) {
+        int column = x + i % columns, row = y + i / columns;
+        if (column >= 0 && column < picture->width && row >= 0 && row < picture->height) {
+            size_t pixel = (size_t)row * (size_t)picture->width + (size_t)column;
+            memcpy(rgb + 3 * i, picture->pixels + 3 * pixel, 3);
+        }
+    }
+    pthread_mutex_unlock(&background->mutex);
 }
 
 bool renderer_copy_values(Renderer *renderer, RenderStats *stats, float *values) {

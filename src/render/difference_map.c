@@ -159,9 +159,9 @@ size_t difference_map_legend(const DifferenceMap *map,
     }
     if (map->unknown_pixels > 0) {
         bool is_missing = layer_has_missing(map->layer);
-        entries[count] = (LegendEntry){.label = is_missing ? N_("in only one of them")
-                                                           : N_("not measured yet"),
-                                       .position = LEGEND_APART};
+        entries[count] =
+            (LegendEntry){.label = is_missing ? N_("in only one of them") : N_("not measured yet"),
+                          .position = LEGEND_APART};
         difference_map_color(map, NAN, entries[count++].rgb);
     }
     return count;

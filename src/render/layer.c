@@ -377,8 +377,7 @@ double layer_difference(Layer layer, const float a[LAYER_VALUES], const float b[
     if (is_a_missing || is_b_missing) {
         return is_a_missing && is_b_missing && layers[layer].has_missing ? 0 : NAN;
     }
-    return layers[layer].difference ? layers[layer].difference(a, b)
-                                    : (double)a[0] - (double)b[0];
+    return layers[layer].difference ? layers[layer].difference(a, b) : (double)a[0] - (double)b[0];
 }
 
 const char *layer_difference_unit(Layer layer) {

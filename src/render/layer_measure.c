@@ -32,8 +32,8 @@ static float perceived_brightness(const RenderPass *pass, const double color[3])
 static float code_difference(const double a[3], const double b[3]) {
     double largest = 0;
     for (int i = 0; i < 3; i++) {
-        largest = fmax(largest, fabs(encoding_difference(ENCODING_SRGB, fmin(a[i], 1),
-                                                         fmin(b[i], 1))));
+        largest =
+            fmax(largest, fabs(encoding_difference(ENCODING_SRGB, fmin(a[i], 1), fmin(b[i], 1))));
     }
     return (float)largest;
 }

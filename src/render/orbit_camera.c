@@ -12,8 +12,10 @@
 
 /** Horizontal field of view of the second camera, degrees. */
 static const double ORBIT_FOV = 40;
-/** Points farther from the first hit are ignored; relative to its distance from the camera. */
+/** Rays without an end are drawn so long, relative to the distance of the first hit. */
 static const double MAX_DISTANCE_FACTOR = 2;
+/** Rays with an end are drawn whole up to so many times that. */
+static const double WHOLE_RAY_FACTOR = 4;
 /** Size of the picture relative to the rays. */
 static const double FIT_MARGIN = 1.25;
 /** Largest tilt, degrees. */
@@ -21,8 +23,6 @@ static const double ORBIT_TILT_MAXIMUM = 89;
 /** Distance of the near plane, relative to that of the target. */
 static const double NEAR_PLANE = 1e-3;
 
-/** How often a camera is fitted to its points. */
-enum { FIT_ITERATIONS = 4 };
 /** Most points of a tree. */
 enum { RAY_POINTS_MAXIMUM = 64 };
 
@@ -54,7 +54,14 @@ static void ray_points_add(RayPoints *points, Vec3d point, Vec3d center, double 
     }
 }
 
-/** @return The points of a tree within a radius of the first hit. */
+/** @return How long a ray is drawn. @param maximum See #OrbitCamera.ray_length_maximum. */
+static double drawn_length(const RayTreeNode *ray, double maximum) {
+    double length = ray_length(ray);
+    return length <= WHOLE_RAY_FACTOR * maximum ? length : maximum;
+}
+
+/** @return The points of a tree: the ends of all rays, as far as they are drawn. @param radius See
+ *  #OrbitCamera.ray_length_maximum. */
 static RayPoints ray_points_of(const RayTree *tree, double radius) {
     RayPoints points = {.count = 0};
     const RayTreeNode *camera = &tree->nodes[0];
@@ -63,7 +70,10 @@ static RayPoints ray_points_of(const RayTree *tree, double radius) {
     ray_points_add(&points, first, first, HUGE_VAL);
     for (size_t i = 1; i < tree->count; i++) {
         const RayTreeNode *ray = &tree->nodes[i];
-        ray_points_add(&points, ray_at(ray, fmin(ray_length(ray), radius)), first, radius);
+        // The infinite ones count as short, so that the others fill the picture.
+        bool is_whole = drawn_length(ray, radius) == ray_length(ray);
+        double length = is_whole ? ray_length(ray) : radius / 2;
+        ray_points_add(&points, ray_at(ray, length), first, HUGE_VAL);
     }
     return points;
 }
@@ -81,7 +91,7 @@ static Vec3d orbit_camera_position(const OrbitCamera *orbit, double half) {
 }
 
 /** @return How many points are not occluded. */
-static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
+static size_t count_visible(const Renderer *renderer, const CutAway *cut, const OrbitCamera *orbit,
                             const RayPoints *points) {
     /** A hit that is nearer by this fraction of the distance occludes a point. */
     const double tolerance = 1e-3;
@@ -97,14 +107,15 @@ static size_t count_visible(const Renderer *renderer, const OrbitCamera *orbit,
                                             distances);
     size_t visible = 0;
     for (size_t i = 0; i < points->count; i++) {
-        visible += distances[i] >= 1 - tolerance;
+        visible += distances[i] >= 1 - tolerance || cut_away_may_hide(cut, shapes[i]);
     }
     return visible;
 }
 
 /** Rotates the camera to where it sees the most points. @param[in,out] orbit Has the pan of the
  *  pixel's camera. */
-static void choose_angles(const Renderer *renderer, OrbitCamera *orbit, const RayPoints *points) {
+static void choose_angles(const Renderer *renderer, const CutAway *cut, OrbitCamera *orbit,
+                          const RayPoints *points) {
     static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
     static const double tilts[] = {-18, -40, -5, -65};
     double initial_pan = orbit->pan;
@@ -113,7 +124,7 @@ static void choose_angles(const Renderer *renderer, OrbitCamera *orbit, const Ra
     for (size_t i = 0; i < sizeof pans / sizeof *pans * (sizeof tilts / sizeof *tilts); i++) {
         orbit->pan = initial_pan + pans[i % (sizeof pans / sizeof *pans)];
         orbit->tilt = tilts[i / (sizeof pans / sizeof *pans)];
-        size_t count = count_visible(renderer, orbit, points);
+        size_t count = count_visible(renderer, cut, orbit, points);
         if (i == 0 || count > best_count) {
             best = *orbit;
             best_count = count;
@@ -153,32 +164,51 @@ static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
                    vec3d_dot(from, camera->direction)};
 }
 
-/** Moves the camera so that its points fill the picture. @param width Of the picture, pixels. */
-static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points, int width,
-                                    int height) {
-    ProjectedView view = orbit_camera_project(orbit, width, height);
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < points->count; i++) {
-        Vec3d p = to_camera_space(&view.camera, points->points[i]);
-        const double projected[] = {p.x / p.z, p.y / p.z};
-        for (int axis = 0; axis < 2; axis++) {
-            low[axis] = fmin(low[axis], projected[axis]);
-            high[axis] = fmax(high[axis], projected[axis]);
-        }
-    }
-    double offset_right = view.camera.target_distance * (low[0] + high[0]) / 2;
-    double offset_up = view.camera.target_distance * (low[1] + high[1]) / 2,
-           edge = tan(ORBIT_FOV / 2 * (M_PI / 180));
-    Vec3d right = vec3d_scale(scene_camera_right(&view.camera), offset_right);
-    orbit->target =
-        vec3d_add(orbit->target, vec3d_add(right, vec3d_scale(view.camera.up, offset_up)));
-    double across = (high[0] - low[0]) / 2 / edge,
-           down = (high[1] - low[1]) / 2 * width / height / edge;
-    orbit->radius *= FIT_MARGIN * fmax(fmax(across, down), NEAR_PLANE);
+/** The cone of places along one axis of the picture from which all points are in sight. */
+typedef struct SightCone {
+    double low;  /**< Its one side at depth 0: the maximum of coordinate minus slope times depth. */
+    double high; /**< Its other side: the minimum of coordinate plus slope times depth. */
+    double slope; /**< How far the picture reaches per depth. */
+} SightCone;
+
+/** @return The depth up to which the camera may go. */
+static double cone_depth(const SightCone *cone) {
+    return (cone->high - cone->low) / (2 * cone->slope);
 }
 
-OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
+/** Moves the camera so that its points fill the picture: as near as all are in sight, in closed
+ *  form. @param width Of the picture, pixels. */
+static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points, int width,
+                                    int height) {
+    const double edge = tan(ORBIT_FOV / 2 * (M_PI / 180)) / FIT_MARGIN;
+    SightCone cones[2] = {{-HUGE_VAL, HUGE_VAL, edge},
+                          {-HUGE_VAL, HUGE_VAL, edge * height / width}};
+    ProjectedView view = orbit_camera_project(orbit, width, height);
+    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+    for (size_t i = 0; i < points->count; i++) {
+        Vec3d p = to_camera_space(&view.camera, points->points[i]);
+        const double across[] = {p.x, p.y};
+        nearest = fmin(nearest, p.z);
+        farthest = fmax(farthest, p.z);
+        for (int axis = 0; axis < 2; axis++) {
+            SightCone *cone = &cones[axis];
+            cone->low = fmax(cone->low, across[axis] - cone->slope * p.z);
+            cone->high = fmin(cone->high, across[axis] + cone->slope * p.z);
+        }
+    }
+    double least = NEAR_PLANE * orbit->radius, middle = (nearest + farthest) / 2;
+    double depth = fmin(fmin(cone_depth(&cones[0]), cone_depth(&cones[1])), nearest - least);
+    Vec3d right = vec3d_scale(scene_camera_right(&view.camera), (cones[0].low + cones[0].high) / 2);
+    Vec3d up = vec3d_scale(view.camera.up, (cones[1].low + cones[1].high) / 2);
+    Vec3d ahead = vec3d_scale(view.camera.direction, middle);
+    orbit->target = vec3d_add(view.camera.position, vec3d_add(vec3d_add(right, up), ahead));
+    double half = fmin(ORBIT_FOV / 2 * (M_PI / 180), atan(edge * FIT_MARGIN * height / width));
+    orbit->radius = (middle - depth) * sin(half) / FIT_MARGIN;
+}
+
+OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
                              const RayTree *tree, int width, int height) {
+    const SceneCamera *camera = &scene->camera;
     double first = ray_length(&tree->nodes[0]);
     OrbitCamera orbit = {.zoom = 1,
                          .ray_length_maximum = MAX_DISTANCE_FACTOR *
@@ -194,12 +224,34 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera
         orbit.radius = fmax(orbit.radius, points_distance(points.points[i], orbit.target));
     }
     orbit.pan = atan2(camera->direction.x, -camera->direction.z) * (180 / M_PI);
-    choose_angles(renderer, &orbit, &points);
-    // Perspective makes one step inexact; a few converge.
-    for (int turn = 0; turn < FIT_ITERATIONS; turn++) {
-        orbit_camera_fit_points(&orbit, &points, width, height);
-    }
+    choose_angles(renderer, cut, &orbit, &points);
+    orbit_camera_fit_points(&orbit, &points, width, height);
     return orbit;
+}
+
+ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
+                                Vec3d up, int width, int height, double *nearest) {
+    /** Distance of the camera, in sizes of the picture. */
+    const double distance = 1e4;
+    RayPoints points = ray_points_of(tree, orbit->ray_length_maximum);
+    SceneCamera camera = {.direction = forward, .up = up};
+    Vec3d low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < points.count; i++) {
+        Vec3d p = to_camera_space(&camera, points.points[i]);
+        low = vec3d_min(low, p);
+        high = vec3d_max(high, p);
+    }
+    Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
+    double size = fmax(high.x - low.x, (high.y - low.y) * width / height);
+    size = FIT_MARGIN * fmax(size, NEAR_PLANE * fmax(1e-3, vec3d_max_abs(middle)));
+    camera.target_distance = distance * size;
+    camera.fov = 2 * atan(0.5 / distance) * (180 / M_PI);
+    camera.look_at =
+        vec3d_add(vec3d_scale(scene_camera_right(&camera), middle.x),
+                  vec3d_add(vec3d_scale(up, middle.y), vec3d_scale(forward, middle.z)));
+    camera.position = vec3d_subtract(camera.look_at, vec3d_scale(forward, camera.target_distance));
+    *nearest = camera.target_distance + low.z - middle.z;
+    return (ProjectedView){camera, width, height};
 }
 
 /** Projects a point. @param p The point, see #to_camera_space; it is ahead. */
@@ -207,6 +259,11 @@ static void project_point(const ProjectedView *view, Vec3d p, double *x, double 
     double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
     *x = view->width / 2.0 + p.x / p.z / pixel;
     *y = view->height / 2.0 - p.y / p.z / pixel;
+}
+
+double projected_view_scale(const ProjectedView *view, Vec3d point) {
+    double depth = to_camera_space(&view->camera, point).z;
+    return view->width / (2 * tan(view->camera.fov / 2 * (M_PI / 180)) * depth);
 }
 
 bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y) {
@@ -231,8 +288,9 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
                               const RayTreeNode *ray, ProjectedRay *projected) {
     double length = ray_length(ray), near_plane = NEAR_PLANE * view->camera.target_distance;
     Vec3d from = to_camera_space(&view->camera, ray->origin);
-    Vec3d to = to_camera_space(&view->camera, ray_at(ray, fmin(length, orbit->ray_length_maximum)));
-    projected->is_truncated = length > orbit->ray_length_maximum;
+    double drawn = drawn_length(ray, orbit->ray_length_maximum);
+    Vec3d to = to_camera_space(&view->camera, ray_at(ray, drawn));
+    projected->is_truncated = length > drawn;
     if (from.z <= near_plane && to.z <= near_plane) {
         return false;
     }

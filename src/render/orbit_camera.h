@@ -6,6 +6,7 @@
 #define DIOPTRE_RENDER_ORBIT_CAMERA_H
 
 #include "dioptre/renderer.h"
+#include "render/cut_away.h"
 
 /** A camera on a sphere around a target. */
 typedef struct OrbitCamera {
@@ -34,11 +35,12 @@ typedef struct ProjectedRay {
 /**
  * Chooses an orbit: to the side of the pixel's camera, where the fewest points of the rays are
  * occluded.
- * @param width   Of the second camera's picture, pixels; the rays fill it.
+ * @param cut     Which shapes may be left out: they occlude nothing.
+ * @param width   Of the second camera's picture, pixels; the rays and their lights fill it.
  * @param height  See width.
  * @return The orbit.
  */
-OrbitCamera orbit_camera_fit(const Renderer *renderer, const SceneCamera *camera,
+OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
                              const RayTree *tree, int width, int height);
 
 /**
@@ -66,6 +68,9 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
  */
 bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y);
 
+/** @return Pixels of a scene unit at a point in front of the camera, across the view. */
+double projected_view_scale(const ProjectedView *view, Vec3d point);
+
 /**
  * Projects a ray.
  * @param[out] projected  The line, clipped to the front of the camera.
@@ -73,6 +78,17 @@ bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, dou
  */
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected);
+
+/**
+ * @return A view by parallel light that holds all rays: from so far away that nothing converges.
+ * @param orbit    Says how long rays are drawn.
+ * @param forward  Direction of the light, of length 1.
+ * @param up       Up in the picture, of length 1, across #forward.
+ * @param width    Of the picture, pixels.
+ * @param[out] nearest  Smallest distance of a point of the rays from the camera, along the light.
+ */
+ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
+                                Vec3d up, int width, int height, double *nearest);
 
 /** Longest name of what a ray hit, bytes with its final zero. */
 enum { RAY_HIT_NAME_SIZE = 64 };

@@ -8,17 +8,12 @@
  */
 #include "render/precision_estimate.h"
 
+#include "base/encoding.h"
+#include "render/roundoff.h"
 #include "render/shadow_terminator.h"
 #include "render/trapped_light.h"
-#include "render/z_fighting/z_fighting.h"
 
 #include <math.h>
-
-/** Half an ulp of 1 in float. */
-#define FLOAT_ROUNDOFF 0x1p-24
-
-/** Largest 8-bit value. */
-#define CODE_MAXIMUM 255.0
 
 /** Error bound of a point, and of the ray offset there, in half ulps. */
 #define POSITION_ROUNDINGS 16
@@ -94,11 +89,6 @@ static double aabbd_distance(const Aabbd *box, Vec3d p) {
     return vec3d_length(away);
 }
 
-/** @return The largest coordinate of a point relative to the origin of tracers. */
-static double magnitude_from_origin(const SceneMeasures *measures, Vec3d p) {
-    return vec3d_max_abs(vec3d_subtract(p, measures->origin));
-}
-
 /**
  * @return The error of a camera ray's direction across the ray, relative to half an ulp of 1: from
  * 0, along an axis, to 1. Each component is rounded relative to itself. Along an axis, the
@@ -154,7 +144,8 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box, double 
     // A shape smaller than a pixel is hardly visible.
     double radii = fmin(distance / radius, 1 / estimate->pixel_angle);
     keep_largest_error(estimate, PRECISION_DISTANCE,
-                       CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant * radii);
+                       ENCODING_CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant *
+                           radii);
     double magnitude = fmax(visible_magnitude(measures, box->low, slant),
                             visible_magnitude(measures, box->high, slant));
     magnitude = fmax(magnitude, visible_magnitude(measures, camera->position, slant));
@@ -185,7 +176,8 @@ static void accumulate_sdf(SceneMeasures *measures, const Sdf *sdf, double toler
             double power = node->operands[0], iterations = node->operands[1];
             double detail = fmax(tolerance, pow(power, 1 - iterations));
             keep_largest_error(measures->estimate, PRECISION_FRACTAL,
-                               CODE_MAXIMUM * POSITION_ROUNDINGS * FLOAT_ROUNDOFF / detail);
+                               ENCODING_CODE_MAXIMUM * POSITION_ROUNDINGS * FLOAT_ROUNDOFF /
+                                   detail);
         }
     }
 }
@@ -194,8 +186,8 @@ static void accumulate_sdf(SceneMeasures *measures, const Sdf *sdf, double toler
 static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneShape *shape,
                                          const Mesh *mesh, const Aabbd *box) {
     const Scene *scene = measures->scene;
-    double magnitude =
-        fmax(magnitude_from_origin(measures, box->low), magnitude_from_origin(measures, box->high));
+    double magnitude = fmax(magnitude_from(measures->origin, box->low),
+                            magnitude_from(measures->origin, box->high));
     MeshInstance instance = {scene, mesh, shape->transform,
                              POSITION_ROUNDINGS * FLOAT_ROUNDOFF * magnitude};
     // A mesh covers about as many pixels as a sphere between those inside and around its box.
@@ -250,7 +242,7 @@ static void accumulate_shape(SceneMeasures *measures, const SceneShape *shape) {
     } else {
         // The visible part of an unbounded shape extends until a pixel cannot resolve it.
         keep_largest_error(measures->estimate, PRECISION_DISTANCE,
-                           CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant /
+                           ENCODING_CODE_MAXIMUM * DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * slant /
                                measures->estimate->pixel_angle);
     }
     if (facts.sdf) {
@@ -273,8 +265,8 @@ static double narrow_gap(double gap, double distance, double magnitude) {
 
 /** Accumulates the smallest distance between the walls of two transparent shapes. */
 static void accumulate_wall_pair(SceneMeasures *measures, const Aabbd *a, const Aabbd *b) {
-    double magnitude = fmax(magnitude_from_origin(measures, a->low),
-                            magnitude_from_origin(measures, a->high)),
+    double magnitude = fmax(magnitude_from(measures->origin, a->low),
+                            magnitude_from(measures->origin, a->high)),
            gap = HUGE_VAL;
     Vec3d low = vec3d_subtract(a->low, b->low), high = vec3d_subtract(a->high, b->high);
     const double distances[] = {low.x, low.y, low.z, high.x, high.y, high.z};
@@ -302,7 +294,7 @@ static void accumulate_ray_divergence(SceneMeasures *measures, int depth) {
     double error = FLOAT_ROUNDOFF * fmax(reflection_growth, refraction_growth) *
                    fmax(1, measures->texels_per_radian);
     keep_largest_error(estimate, PRECISION_RAY_DIVERGENCE,
-                       estimate->bounces > 0 ? CODE_MAXIMUM * error : 0);
+                       estimate->bounces > 0 ? ENCODING_CODE_MAXIMUM * error : 0);
 }
 
 /** @return The recursion depth at which the weight of a ray falls below the cutoff of tracers.
@@ -315,15 +307,72 @@ static int depth_needed(double weight) {
     return depth < DEPTH_LIMIT ? (int)depth : DEPTH_LIMIT;
 }
 
-/** @return Whether any surface reflects or transmits light. */
-static bool scene_has_secondary_rays(const Scene *scene) {
-    bool has_any = false;
-    for (size_t i = 0; i < scene->material_count; i++) {
-        const SceneMaterial *material = &scene->materials[i];
-        has_any =
-            has_any || rgbd_max(material->reflectivity) > 0 || rgbd_max(material->transparency) > 0;
+/** Accumulates the walls of all pairs of transparent shapes. */
+static void accumulate_walls(SceneMeasures *measures) {
+    for (size_t i = 0; i < measures->glass_count; i++) {
+        for (size_t k = 0; k < i; k++) {
+            accumulate_wall_pair(measures, &measures->glass[i].bounds, &measures->glass[k].bounds);
+        }
     }
-    return has_any;
+}
+
+/** Accumulates the texels of the sky. */
+static void accumulate_sky(SceneMeasures *measures) {
+    const Scene *scene = measures->scene;
+    if (scene->sky.texture_id) {
+        const Texture *panorama = scene->textures[scene->sky.texture_id - 1].texture;
+        double contrast = panorama->is_hdr ? HDR_CONTRAST : 1;
+        measures->texels_per_radian =
+            fmax(measures->texels_per_radian, contrast * panorama->width / (2 * M_PI));
+    }
+}
+
+/** Keeps the errors of fractions of the picture that are wrong by any number of steps, after all
+ *  shapes are accumulated. */
+static void accumulate_fractions(SceneMeasures *measures) {
+    PrecisionEstimate *estimate = measures->estimate;
+    const double error_per_fraction = PRECISION_VISIBLE_ERROR / PIXEL_FRACTION_ALLOWED;
+    // A mirror shows the meshes once more.
+    double images = estimate->max_secondary_weight > 0 ? 2 : 1;
+    keep_largest_error(estimate, PRECISION_SHADOW_TERMINATOR,
+                       error_per_fraction * TERMINATOR_MARGIN * images *
+                           measures->terminator_fraction);
+    estimate->z_fighting = z_fighting_of(measures->scene);
+    keep_largest_error(estimate, PRECISION_Z_FIGHTING,
+                       error_per_fraction * estimate->z_fighting.fraction);
+}
+
+/** Accumulates what grows with the number of turns, after all shapes are accumulated. */
+static void accumulate_turns(SceneMeasures *measures) {
+    PrecisionEstimate *estimate = measures->estimate;
+    const Scene *scene = measures->scene;
+    estimate->depth = depth_needed(estimate->max_secondary_weight);
+    int depth = scene->image.depth >= 0 ? scene->image.depth : estimate->depth;
+    accumulate_ray_divergence(measures, depth);
+    GlassView view = {.position = scene->camera.position,
+                      .pixel_angle = estimate->pixel_angle,
+                      .pixels = (double)scene->image.width * scene->image.height,
+                      .depth = depth};
+    keep_largest_error(estimate, PRECISION_TRAPPED_LIGHT,
+                       trapped_light_error(measures->glass, measures->glass_count, &view));
+}
+
+/** @return The cause with the largest error. */
+static PrecisionCause largest_cause(const double *errors) {
+    PrecisionCause largest = 0;
+    for (PrecisionCause cause = 0; cause < PRECISION_CAUSE_COUNT; cause++) {
+        largest = errors[cause] > errors[largest] ? cause : largest;
+    }
+    return largest;
+}
+
+/** @return The cause to be named. Both sides of a thin wall of glass are near to each other: where
+ *  the wall is visible, it says more than that. */
+static PrecisionCause cause_to_name(const double *errors) {
+    PrecisionCause largest = largest_cause(errors);
+    bool is_wall =
+        largest == PRECISION_Z_FIGHTING && errors[PRECISION_THIN_GLASS] >= PRECISION_VISIBLE_ERROR;
+    return is_wall ? PRECISION_THIN_GLASS : largest;
 }
 
 PrecisionEstimate precision_estimate_of(const Scene *scene) {
@@ -337,47 +386,19 @@ PrecisionEstimate precision_estimate_of(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         accumulate_shape(&measures, &scene->shapes[i]);
     }
-    for (size_t i = 0; i < measures.glass_count; i++) {
-        for (size_t k = 0; k < i; k++) {
-            accumulate_wall_pair(&measures, &measures.glass[i].bounds, &measures.glass[k].bounds);
-        }
-    }
-    if (scene->sky.texture_id) {
-        const Texture *panorama = scene->textures[scene->sky.texture_id - 1].texture;
-        double contrast = panorama->is_hdr ? HDR_CONTRAST : 1;
-        measures.texels_per_radian =
-            fmax(measures.texels_per_radian, contrast * panorama->width / (2 * M_PI));
-    }
+    accumulate_walls(&measures);
+    accumulate_sky(&measures);
     double shift = DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * measures.slant / estimate.pixel_angle;
     keep_largest_error(&estimate, PRECISION_PIXEL_ANGLE,
                        PRECISION_VISIBLE_ERROR * shift / EDGE_TOLERANCE);
-    estimate.depth = depth_needed(estimate.max_secondary_weight);
-    // A mirror shows the meshes once more.
-    double images = estimate.max_secondary_weight > 0 ? 2 : 1;
-    keep_largest_error(&estimate, PRECISION_SHADOW_TERMINATOR,
-                       PRECISION_VISIBLE_ERROR * TERMINATOR_MARGIN * images *
-                           measures.terminator_fraction / PIXEL_FRACTION_ALLOWED);
-    keep_largest_error(&estimate, PRECISION_Z_FIGHTING,
-                       PRECISION_VISIBLE_ERROR * z_fighting_of(scene).fraction /
-                           PIXEL_FRACTION_ALLOWED);
-    int depth = scene->image.depth >= 0 ? scene->image.depth : estimate.depth;
-    accumulate_ray_divergence(&measures, depth);
-    GlassView view = {.position = scene->camera.position,
-                      .pixel_angle = estimate.pixel_angle,
-                      .pixels = (double)scene->image.width * scene->image.height,
-                      .depth = depth};
-    keep_largest_error(&estimate, PRECISION_TRAPPED_LIGHT,
-                       trapped_light_error(measures.glass, measures.glass_count, &view));
-    for (int cause = 0; cause < PRECISION_CAUSE_COUNT; cause++) {
-        bool is_more = estimate.errors[cause] > estimate.errors[estimate.cause];
-        estimate.cause = is_more ? (PrecisionCause)cause : estimate.cause;
-    }
-    // Both sides of a thin wall are near to each other: the wall says more.
-    if (estimate.cause == PRECISION_Z_FIGHTING &&
-        estimate.errors[PRECISION_THIN_GLASS] > PRECISION_VISIBLE_ERROR) {
-        estimate.cause = PRECISION_THIN_GLASS;
-    }
+    accumulate_fractions(&measures);
+    accumulate_turns(&measures);
+    estimate.cause = cause_to_name(estimate.errors);
     return estimate;
+}
+
+double precision_estimate_error(const PrecisionEstimate *estimate) {
+    return estimate->errors[largest_cause(estimate->errors)];
 }
 
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate) {

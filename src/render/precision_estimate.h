@@ -11,7 +11,8 @@
 #ifndef DIOPTRE_RENDER_PRECISION_ESTIMATE_H
 #define DIOPTRE_RENDER_PRECISION_ESTIMATE_H
 
-#include "dioptre/engine.h"
+#include "dioptre/renderer.h"
+#include "render/z_fighting/z_fighting.h"
 
 /** Half an 8-bit step of the encoded picture: smaller errors are not visible. */
 #define PRECISION_VISIBLE_ERROR 0.5
@@ -34,7 +35,9 @@ typedef enum {
 /** An estimate. */
 typedef struct PrecisionEstimate {
     double errors[PRECISION_CAUSE_COUNT]; /**< Error of float per cause, 8-bit steps. */
-    PrecisionCause cause;                 /**< The cause with the largest error. */
+    PrecisionCause cause; /**< The cause to be named: that of the largest error, or thin glass
+                               where its two sides would be named instead. */
+    ZFighting z_fighting; /**< Surfaces that float, or nothing, can tell apart. */
     double max_distance_in_radii; /**< Largest distance of a shape, in its own radii; 0: no shape is
                                        bounded. */
     double pixel_angle;           /**< Angle of a pixel, radians. */
@@ -43,13 +46,15 @@ typedef struct PrecisionEstimate {
     int depth; /**< Recursion depth beyond which no ray can change an 8-bit value. */
 } PrecisionEstimate;
 
-/** @return The estimate for a scene. Its time is proportional to the number of shapes. */
+/** @return The estimate for a scene. It takes the time of #z_fighting_of, and one in proportion to
+ *          the number of shapes. */
 PrecisionEstimate precision_estimate_of(const Scene *scene);
 
 /** @return The largest error of float, 8-bit steps. */
-static inline double precision_estimate_error(const PrecisionEstimate *estimate) {
-    return estimate->errors[estimate->cause];
-}
+double precision_estimate_error(const PrecisionEstimate *estimate);
+
+/** @return #render_settings_default of a scene, from its estimate. */
+RenderSettings precision_estimate_settings(const PrecisionEstimate *estimate, const Scene *scene);
 
 /** @return The fastest engine that the processor supports and that is exact enough. */
 const Engine *precision_estimate_engine(const PrecisionEstimate *estimate);

@@ -65,6 +65,11 @@ static double line_thickness(const RayDrawing *drawing) {
     return fmax(THICKNESS_MINIMUM, LINE_THICKNESS * drawing->view.height);
 }
 
+/** @return The height of letters. */
+static double text_size(const RayDrawing *drawing) {
+    return drawing->text_size > 0 ? drawing->text_size : FONT_FACTOR * line_thickness(drawing);
+}
+
 /** Sets the colour of what is drawn next. @param color 0xRRGGBB. */
 static void set_color(cairo_t *cairo, unsigned color, double alpha) {
     cairo_set_source_rgba(cairo, (color >> 16) / 255.0, (color >> 8 & 0xff) / 255.0,
@@ -89,8 +94,10 @@ static void draw_line(const RayDrawing *drawing, const ProjectedRay *line, const
 }
 
 /** Draws an arrowhead on a line that is long enough, in the colour of the line. */
-static void draw_arrow(const RayDrawing *drawing, const ProjectedRay *line, double thickness) {
+static void draw_arrow(const RayDrawing *drawing, const ProjectedRay *ray, double thickness) {
     const double size = ARROW_FACTOR * thickness;
+    const ProjectedRay reversed = {{ray->x[1], ray->x[0]}, {ray->y[1], ray->y[0]}, false};
+    const ProjectedRay *line = drawing->is_along_light ? &reversed : ray;
     double x = line->x[1] - line->x[0], y = line->y[1] - line->y[0], length = hypot(x, y);
     if (length < 3 * size) {
         return;
@@ -148,7 +155,7 @@ void ray_drawing_text(const RayDrawing *drawing, double x, double y, const char 
     cairo_t *cairo = drawing->cairo;
     double thickness = line_thickness(drawing);
     cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, FONT_FACTOR * thickness);
+    cairo_set_font_size(cairo, text_size(drawing));
     cairo_move_to(cairo, x, y);
     cairo_text_path(cairo, text);
     cairo_set_dash(cairo, NULL, 0, 0);
@@ -233,7 +240,7 @@ void ray_drawing_numbers(const RayDrawing *drawing) {
     RayLabel labels[RAY_LABELS_MAXIMUM];
     LabelBox boxes[RAY_LABELS_MAXIMUM];
     size_t count = ray_drawing_labels(drawing, labels, boxes);
-    double size = FONT_FACTOR * line_thickness(drawing);
+    double size = text_size(drawing);
     for (size_t i = 0; i < count; i++) {
         cairo_text_extents_t extents;
         cairo_set_font_size(drawing->cairo, size);
@@ -251,6 +258,38 @@ void ray_drawing_numbers(const RayDrawing *drawing) {
         if (boxes[i].is_placed) {
             // The base line of digits: they are as high as most of their size.
             ray_drawing_text(drawing, boxes[i].x, boxes[i].y + 0.85 * size, labels[i].text);
+        }
+    }
+}
+
+/* --- sphere tracing --------------------------------------------------------------------------- */
+
+/** Opacity of a sphere of free distance, and of its edge. */
+static const double SPHERE_ALPHA = 0.07, SPHERE_EDGE_ALPHA = 0.8;
+/** Colour of the spheres: Okabe and Ito's vermilion. */
+static const unsigned SPHERE_COLOR = 0xD55E00;
+
+void ray_drawing_march(const RayDrawing *drawing) {
+    const RayTree *tree = drawing->tree;
+    cairo_t *cairo = drawing->cairo;
+    if (drawing->selected >= tree->count) {
+        return;
+    }
+    const RayTreeNode *ray = &tree->nodes[drawing->selected];
+    cairo_set_dash(cairo, NULL, 0, 0);
+    cairo_set_line_width(cairo, line_thickness(drawing) / 2);
+    for (size_t i = 0; i < ray->step_count; i++) {
+        const RayMarchStep *step = &tree->steps[ray->first_step + i];
+        Vec3d point = vec3d_add(ray->origin, vec3d_scale(ray->direction, step->distance));
+        double x, y;
+        if (projected_view_point(&drawing->view, point, &x, &y)) {
+            double radius = step->radius * projected_view_scale(&drawing->view, point);
+            cairo_new_path(cairo);
+            cairo_arc(cairo, x, y, fmax(radius, 0.5), 0, 2 * M_PI);
+            set_color(cairo, SPHERE_COLOR, SPHERE_ALPHA);
+            cairo_fill_preserve(cairo);
+            set_color(cairo, SPHERE_COLOR, SPHERE_EDGE_ALPHA);
+            cairo_stroke(cairo);
         }
     }
 }

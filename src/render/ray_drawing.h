@@ -46,7 +46,9 @@ typedef struct RayDrawing {
     const OrbitCamera *orbit; /**< The camera's orbit. */
     ProjectedView view;       /**< What the camera sees. */
     size_t selected;          /**< Index of a ray that is drawn thicker, and all others dim. */
+    double text_size;         /**< Height of letters; 0: it follows from the size of the view. */
     unsigned hidden_kinds;    /**< Kinds of rays that are not drawn: bit i is #RayType i. */
+    bool is_along_light;      /**< Whether arrows show the way of the light, not of the rays. */
     bool hides_selected;      /**< Whether the selected ray is not drawn either: it is in flight. */
 } RayDrawing;
 
@@ -72,6 +74,9 @@ typedef struct RayLabel {
  */
 size_t ray_drawing_labels(const RayDrawing *drawing, RayLabel labels[RAY_LABELS_MAXIMUM],
                           LabelBox boxes[RAY_LABELS_MAXIMUM]);
+
+/** Draws the spheres of free distance along the selected ray, as circles that face the camera. */
+void ray_drawing_march(const RayDrawing *drawing);
 
 /** Draws the numbers of the rays, with leader lines. */
 void ray_drawing_numbers(const RayDrawing *drawing);

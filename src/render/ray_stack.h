@@ -14,7 +14,7 @@
 /** Factor for the stack of a build with sanitizers, whose frames have gaps. */
 #define RAY_STACK_FACTOR 2
 #else
-/** Factor for the stack of a build with sanitizers: none. */
+/** Factor for the stack of a build without sanitizers. */
 #define RAY_STACK_FACTOR 1
 #endif
 

@@ -10,6 +10,7 @@
 
 void ray_tree_deinit(RayTree *tree) {
     free(tree->nodes);
+    free(tree->steps);
     *tree = (RayTree){0};
 }
 
@@ -17,7 +18,7 @@ bool renderer_record_ray_tree(const Renderer *renderer, int x, int y, RayTree *t
     PixelGrid pixel = {.x = x, .y = y, .columns = 1, .rows = 1, .stride = 1, .ray_tree = tree};
     double color[3];
     RayCounts rays = {0};
-    tree->count = 0;
+    tree->count = tree->step_count = 0;
     tree->is_truncated = false;
     renderer->settings.engine->trace(renderer->tracer, &pixel, color, &rays);
     return !tree->is_truncated ||

@@ -61,6 +61,21 @@ size_t pass_range_total_rays(int width, int height, int samples, bool has_previe
     return rays;
 }
 
+/** @return A position from the middle outwards. @param index 0 to count - 1, which gives each
+ *  position once. */
+static size_t from_middle(size_t index, size_t count) {
+    size_t middle = (count - 1) / 2, away = (index + 1) / 2;
+    return index % 2 ? middle + away : middle - away;
+}
+
+/** @return The number of the tile that comes at an index, from the middle row outwards, and in each
+ *  row from its middle. */
+static size_t tile_from_middle(const RenderPass *pass, size_t index) {
+    size_t across = tiles_across(pass->width),
+           down = tile_count(pass->width, pass->height) / across;
+    return from_middle(index / across, down) * across + from_middle(index % across, across);
+}
+
 /** All tiles of a pass, as the thread pool sees them. */
 typedef struct PassTiles {
     RenderPass *pass; /**< The pass. */
@@ -71,16 +86,26 @@ typedef struct PassTiles {
 static void shade_pass_tile(void *context, size_t index) {
     const PassTiles *tiles = context;
     RenderPass *pass = tiles->pass;
-    if (!render_pass_is_stopped(pass)) {
-        PixelGrid tile = tile_at(pass->width, pass->height, index);
-        tiles->shade(pass, &tile, index);
+    if (render_pass_is_stopped(pass)) {
+        return;
+    }
+    size_t number = pass->on_tile ? tile_from_middle(pass, index) : index;
+    PixelGrid tile = tile_at(pass->width, pass->height, number);
+    tiles->shade(pass, &tile, number);
+    atomic_fetch_add_explicit(&pass->renderer->tiles_done, 1, memory_order_relaxed);
+    // A tile that was stopped is not in the picture.
+    if (pass->on_tile && !render_pass_is_stopped(pass)) {
+        pass->on_tile(pass, number);
     }
 }
 
 bool render_pass_run_tiles(RenderPass *pass, ShadeTile shade) {
     PassTiles tiles = {pass, shade};
-    thread_pool_run(pass->renderer->thread_pool, tile_count(pass->width, pass->height),
-                    shade_pass_tile, &tiles);
+    size_t count = tile_count(pass->width, pass->height);
+    atomic_store(&pass->renderer->tiles_done, 0);
+    atomic_store(&pass->renderer->tiles_total, count);
+    atomic_store(&pass->renderer->pass_start, clock_now_seconds());
+    thread_pool_run(pass->renderer->thread_pool, count, shade_pass_tile, &tiles);
     return !render_pass_is_stopped(pass);
 }
 

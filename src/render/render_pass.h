@@ -32,8 +32,10 @@ typedef struct PassRange {
     bool is_preview;  /**< Whether it only bridges the time until the first coarse pass. */
 } PassRange;
 
+typedef struct RenderPass RenderPass;
+
 /** A pass under way, and the pipeline that it belongs to. */
-typedef struct RenderPass {
+struct RenderPass {
     Renderer *renderer;              /**< Its renderer. */
     const Engine *engine;            /**< The engine. */
     const Tracer *tracer;            /**< Its tracer. */
@@ -50,6 +52,10 @@ typedef struct RenderPass {
     double start;                    /**< Begin of the first pass, on #clock_now_seconds. */
     double full_resolution_seconds;  /**< Seconds until every pixel had a ray; 0: not yet. */
 
+    /** Called after each tile that is in the picture, on several threads at once; tiles are then
+     *  shaded from the middle outwards. NULL: none. @param index The tile's number. */
+    void (*on_tile)(RenderPass *pass, size_t index);
+
     _Atomic uint64_t camera;            /**< Camera rays. */
     _Atomic uint64_t reflected;         /**< Reflected rays. */
     _Atomic uint64_t refracted;         /**< Refracted rays. */
@@ -63,7 +69,7 @@ typedef struct RenderPass {
     _Atomic uint64_t pixel_count;     /**< Rays of a layer that have a colour in this pass. */
     _Atomic uint64_t artifact_pixels; /**< See #LayerStats.artifact_pixels. */
     _Atomic uint64_t leak_pixels;     /**< See #LayerStats.leak_pixels. */
-} RenderPass;
+};
 
 /**
  * Finds the next pass: strides 8, 4, 2 and 1, then one more sample per pixel each.

@@ -18,26 +18,30 @@ int render_cpu_count(void) {
     return count < 1 ? 1 : count > THREADS_MAXIMUM ? THREADS_MAXIMUM : count;
 }
 
-RenderSettings render_settings_default(const Scene *scene) {
+RenderSettings precision_estimate_settings(const PrecisionEstimate *estimate, const Scene *scene) {
     /** The constant offset of the textbook tracer, scene units. */
     const double report_epsilon = 1e-4;
-    PrecisionEstimate estimate = precision_estimate_of(scene);
     int depth = scene->image.depth;
     return (RenderSettings){
-        .engine = precision_estimate_engine(&estimate),
+        .engine = precision_estimate_engine(estimate),
         .threads = render_cpu_count(),
         .width = scene->image.width,
         .height = scene->image.height,
         .samples = scene->image.samples,
         .encoding = scene->image.encoding,
         .trace = {.depth = depth != IMAGE_DEPTH_AUTO ? depth
-                           : estimate.depth > 0      ? DEPTH_MAXIMUM
+                           : estimate->depth > 0     ? DEPTH_MAXIMUM
                                                      : 0,
                   .offset = OFFSET_BOUND,
                   .epsilon = report_epsilon,
-                   .cutoff = scene->image.cutoff,
-                   .footprint = RENDER_FOOTPRINT},
+                  .cutoff = scene->image.cutoff,
+                  .footprint = RENDER_FOOTPRINT},
     };
+}
+
+RenderSettings render_settings_default(const Scene *scene) {
+    PrecisionEstimate estimate = precision_estimate_of(scene);
+    return precision_estimate_settings(&estimate, scene);
 }
 
 /** Runs the tasks of a tracer on the thread pool. See #ParallelFor.run. */
@@ -174,6 +178,12 @@ RenderStats renderer_render(Renderer *renderer, const atomic_bool *stop, Picture
     RenderStats stats = render_pass_stats(&pass, is_finished);
     stats.samples = settings->samples;
     return stats;
+}
+
+PassProgress renderer_pass_progress(const Renderer *renderer) {
+    size_t total = atomic_load(&renderer->tiles_total), done = atomic_load(&renderer->tiles_done);
+    double seconds = clock_now_seconds() - atomic_load(&renderer->pass_start);
+    return total ? (PassProgress){(double)done / (double)total, seconds} : (PassProgress){0, 0};
 }
 
 double renderer_progress(const Renderer *renderer) {

@@ -25,9 +25,13 @@ typedef struct BackgroundRenderer {
     RenderPassCallback callback; /**< Called after each pass; may be NULL. */
     void *context;               /**< Argument of the callback. */
     Picture back;                /**< The pass under way. */
-    Picture front;               /**< The newest finished pass. */
+    Picture front;               /**< The newest finished pass, also of before the start. */
     bool has_front;              /**< Whether there is one since the start. */
-    RenderStats stats;           /**< The state of the front picture. */
+    bool has_part;               /**< Whether tiles of the first pass are to be shown before. */
+    RenderStats stats;           /**< The state of the picture that is shown. */
+    atomic_bool *tiles;          /**< Which tiles of the first pass are in the back picture, which
+                                      no thread writes to any more; owned. */
+    _Atomic double next_part_time; /**< When tiles are shown next, on #clock_now_seconds. */
 } BackgroundRenderer;
 
 /** The data of a layer. */
@@ -51,6 +55,9 @@ struct Renderer {
     Encoder encoder;               /**< From linear light to 8 bits. */
     atomic_size_t rays_done;       /**< Rays of pixels that are done. */
     atomic_size_t rays_total;      /**< Rays of pixels in all passes. */
+    atomic_size_t tiles_done;      /**< Tiles of the pass under way that are done. */
+    atomic_size_t tiles_total;     /**< Its tiles; 0: no pass has begun. */
+    _Atomic double pass_start;     /**< Its begin, on #clock_now_seconds. */
     SampleAccumulator accumulator; /**< Sums over passes; empty where a single pass is enough. */
     LayerRenderer layer_renderer;  /**< The data of the layer. */
     BackgroundRenderer background; /**< Rendering in the background. */

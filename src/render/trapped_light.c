@@ -7,13 +7,10 @@
  */
 #include "render/trapped_light.h"
 
+#include "base/encoding.h"
+#include "render/roundoff.h"
+
 #include <math.h>
-
-/** Half an ulp of 1 in float. */
-#define FLOAT_ROUNDOFF 0x1p-24
-
-/** Largest 8-bit value. */
-#define CODE_MAXIMUM 255.0
 
 /** Factor per turn by which two rays diverge where glass overlaps: walls that curve inwards let
  *  rays converge in between. */
@@ -130,7 +127,7 @@ static double turns_of(int depth, double weight) {
 
 /** @return The error of pairs. @param growth Factor between rays at the end of a path. */
 static double pairs_error(const GlassPairs *pairs, double growth, double maximum) {
-    double error = fmin(CODE_MAXIMUM * FLOAT_ROUNDOFF * growth, maximum);
+    double error = fmin(ENCODING_CODE_MAXIMUM * FLOAT_ROUNDOFF * growth, maximum);
     return error * fmin(1, pairs->share / SHARE_IN_FULL);
 }
 

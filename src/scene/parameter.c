@@ -21,6 +21,10 @@ bool parameter_check_range(const Parameter *parameter, double value, Error *erro
     return true;
 }
 
+bool keyword_has_field(const Keyword *keyword) {
+    return keyword->parameters->type == PARAMETER_SDF;
+}
+
 void keyword_translate(const Keyword *keyword, void *values, Vec3d offset) {
     for (const Parameter *row = keyword->parameters; row->name; row++) {
         if (row->type == PARAMETER_POINT) {

@@ -419,6 +419,10 @@ bool scene_has_transparency(const Scene *scene) {
     return scene_has_material(scene, scene_material_is_transparent);
 }
 
+bool scene_has_secondary_rays(const Scene *scene) {
+    return scene_has_material(scene, scene_material_is_secondary);
+}
+
 bool scene_has_specular(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
         if (scene->materials[scene->shapes[i].material_index].specular > 0) {

@@ -131,3 +131,7 @@ bool scene_material_is_reflective(const SceneMaterial *material) {
 bool scene_material_is_transparent(const SceneMaterial *material) {
     return rgbd_is_nonzero(&material->transparency);
 }
+
+bool scene_material_is_secondary(const SceneMaterial *material) {
+    return scene_material_is_reflective(material) || scene_material_is_transparent(material);
+}

@@ -3,6 +3,7 @@
  * @brief Checks of a scene that another process has made.
  */
 #include "base/untrusted.h"
+#include "base/utf8.h"
 #include "dioptre/sdf_tape.h"
 #include "scene/scene_arena.h"
 
@@ -67,21 +68,9 @@ static bool claim_string(BlockCheck *check, const char *string) {
     return end && claim(check, string, (size_t)(end - string) + 1, 1);
 }
 
-/**
- * Claims a string that is printed.
- * @return false as #claim_string, or if it could control a terminal.
- */
+/** Claims a string that is printed. @return false as #claim_string, or if it holds a control. */
 static bool claim_printed(BlockCheck *check, const char *string) {
-    if (!claim_string(check, string)) {
-        return false;
-    }
-    for (const unsigned char *byte = (const unsigned char *)string; *byte; byte++) {
-        bool is_c1 = byte[0] == 0xC2 && byte[1] >= 0x80 && byte[1] < 0xA0; // In UTF-8.
-        if (*byte < ' ' || *byte == 0x7F || is_c1) {
-            return false;
-        }
-    }
-    return true;
+    return claim_string(check, string) && utf8_is_printable(string);
 }
 
 /** @return Whether all of some numbers are finite. */

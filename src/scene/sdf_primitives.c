@@ -4,9 +4,6 @@
  */
 #include "dioptre/sdf.h"
 
-/** Largest number of iterations of a sponge: the smallest holes are 3^-12 of its edge. */
-enum { MENGER_ITERATIONS_MAXIMUM = 12 };
-
 /** Orbits beyond this radius diverge, for every power from 2 on. */
 #define BAILOUT_RADIUS 2.0
 
@@ -192,7 +189,7 @@ static const SdfPrimitive sdf_menger = {
                                          .type = PARAMETER_INTEGER,
                                          .offset = offsetof(SdfMengerParameters, iterations),
                                          .minimum = 0,
-                                         .maximum = MENGER_ITERATIONS_MAXIMUM,
+                                         .maximum = SDF_MENGER_ITERATIONS_MAXIMUM,
                                          .unit = "times",
                                          .help = "how often holes are cut, each a third as wide"},
                                         {0}},
@@ -250,14 +247,14 @@ static const SdfPrimitive sdf_mandelbulb = {
                                          .type = PARAMETER_INTEGER,
                                          .offset = offsetof(SdfMandelbulbParameters, power),
                                          .minimum = 2,
-                                         .maximum = 16,
+                                         .maximum = SDF_BULB_POWER_MAXIMUM,
                                          .unit = "exponent",
                                          .help = "of its formula"},
                                         {.name = "iterations",
                                          .type = PARAMETER_INTEGER,
                                          .offset = offsetof(SdfMandelbulbParameters, iterations),
                                          .minimum = 1,
-                                         .maximum = 32,
+                                         .maximum = SDF_BULB_ITERATIONS_MAXIMUM,
                                          .unit = "times",
                                          .help = "how often the formula is applied"},
                                         {0}},

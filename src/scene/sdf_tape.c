@@ -289,18 +289,16 @@ static bool check_tape(const SdfNode *tape) {
 enum { OPERAND_MENGER_ITERATIONS = 1, OPERAND_BULB_POWER = 0, OPERAND_BULB_ITERATIONS = 1 };
 /** First of the three operands of a repetition with the neighbours to evaluate, 0 to 2. */
 enum { OPERAND_NEIGHBORS = 9, NEIGHBOR_COUNTS = 3 };
-/** Largest count that an engine loops over. */
-enum { LOOP_MAXIMUM = 64 };
 
 /** @return Whether the counts of a node are whole and small. */
 static bool check_counts(const SdfNode *node) {
     const double *operands = node->operands;
     bool is_valid = true;
     if (node->op == SDF_MENGER) {
-        is_valid = is_index(operands[OPERAND_MENGER_ITERATIONS], LOOP_MAXIMUM);
+        is_valid = is_index(operands[OPERAND_MENGER_ITERATIONS], SDF_MENGER_ITERATIONS_MAXIMUM + 1);
     } else if (node->op == SDF_MANDELBULB) {
-        is_valid = is_index(operands[OPERAND_BULB_POWER], LOOP_MAXIMUM) &&
-                   is_index(operands[OPERAND_BULB_ITERATIONS], LOOP_MAXIMUM);
+        is_valid = is_index(operands[OPERAND_BULB_POWER], SDF_BULB_POWER_MAXIMUM + 1) &&
+                   is_index(operands[OPERAND_BULB_ITERATIONS], SDF_BULB_ITERATIONS_MAXIMUM + 1);
     } else if (node->op == SDF_REPEAT) {
         for (int axis = 0; axis < 3 && is_valid; axis++) {
             is_valid = is_index(operands[OPERAND_NEIGHBORS + axis], NEIGHBOR_COUNTS);

@@ -4,7 +4,7 @@
  */
 #include "script/asset_notes.h"
 
-#include "script/sanitize.h"
+#include "base/sanitize.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -14,29 +14,24 @@
 /** Size of a note, with its final zero: a location, a path and a sentence. */
 enum { NOTE_SIZE = 2 * ERROR_MESSAGE_SIZE };
 
-/** @return Whether a mesh is made of the scene file itself: its name is `FILE:LINE` then. */
-static bool is_scene_file(const SceneFile *file) {
-    size_t location = strlen(file->location), name = strlen(file->name);
-    return name <= location && strcmp(file->location + location - name, file->name) == 0;
-}
-
 /**
  * Adds a note about a file.
  * @param scene       The scene.
- * @param file        The file; its name is left out if it is the scene file itself.
+ * @param file        The file.
+ * @param is_scene    Whether it is the scene file itself, whose name is left out.
  * @param line        Line of the file; 0: the whole file.
  * @param[out] error  What is wrong.
  * @param format      The text, translated, as for printf.
  * @return false when the scene's memory is full.
  */
-static bool add_note(Scene *scene, const SceneFile *file, size_t line, Error *error,
-                     const char *format, ...) __attribute__((format(printf, 5, 6)));
+static bool add_note(Scene *scene, const SceneFile *file, bool is_scene, size_t line, Error *error,
+                     const char *format, ...) __attribute__((format(printf, 6, 7)));
 
-static bool add_note(Scene *scene, const SceneFile *file, size_t line, Error *error,
+static bool add_note(Scene *scene, const SceneFile *file, bool is_scene, size_t line, Error *error,
                      const char *format, ...) {
     char note[NOTE_SIZE], name[SANITIZED_PATH_SIZE];
     sanitize_path(name, file->name);
-    if (is_scene_file(file)) {
+    if (is_scene) {
         snprintf(note, sizeof note, "%s: ", file->location);
     } else if (line > 0) {
         snprintf(note, sizeof note, "%s: %s:%zu: ", file->location, name, line);
@@ -52,16 +47,17 @@ static bool add_note(Scene *scene, const SceneFile *file, size_t line, Error *er
 }
 
 /** Adds the notes about a mesh. @return false when the scene's memory is full. */
-static bool add_mesh_notes(Scene *scene, const SceneFile *file, const MeshRepairs *repairs,
-                           Error *error) {
+static bool add_mesh_notes(Scene *scene, const SceneMesh *mesh, Error *error) {
+    const MeshRepairs *repairs = &mesh->mesh->repairs;
+    bool is_built = mesh->built; // Of polygons in the scene file.
     size_t triangles = repairs->untriangulated_polygons, statements = repairs->skipped_statements;
     return (triangles == 0 ||
-            add_note(scene, file, 0, error,
+            add_note(scene, &mesh->file, is_built, 0, error,
                      ngettext("%zu triangle is missing, as edges of a polygon cross",
                               "%zu triangles are missing, as edges of polygons cross", triangles),
                      triangles)) &&
            (statements == 0 ||
-            add_note(scene, file, repairs->skipped_line, error,
+            add_note(scene, &mesh->file, is_built, repairs->skipped_line, error,
                      ngettext("%zu statement is not understood and left out",
                               "%zu statements are not understood and left out; this is the first",
                               statements),
@@ -71,13 +67,12 @@ static bool add_mesh_notes(Scene *scene, const SceneFile *file, const MeshRepair
 bool asset_notes_add(Scene *scene, Error *error) {
     bool is_added = true;
     for (size_t i = 0; is_added && i < scene->mesh_count; i++) {
-        const SceneMesh *mesh = &scene->meshes[i];
-        is_added = add_mesh_notes(scene, &mesh->file, &mesh->mesh->repairs, error);
+        is_added = add_mesh_notes(scene, &scene->meshes[i], error);
     }
     for (size_t i = 0; is_added && i < scene->texture_count; i++) {
         const SceneTexture *texture = &scene->textures[i];
         is_added = !texture->texture->is_damaged ||
-                   add_note(scene, &texture->file, 0, error, "%s",
+                   add_note(scene, &texture->file, false, 0, error, "%s",
                             gettext("it is cut off or damaged, and some of it is missing"));
     }
     return is_added;

@@ -73,8 +73,7 @@ static bool add_material(Scene *scene, const KeywordCall *call, Error *error) {
 
 /** Adds a shape. See #AddFunction. @return false when the scene's memory is full. */
 static bool add_shape(Scene *scene, const KeywordCall *call, Error *error) {
-    bool is_field = call->keyword->parameters->type == PARAMETER_SDF;
-    if (is_field && scene->materials[call->material].texture_id > 0) {
+    if (keyword_has_field(call->keyword) && scene->materials[call->material].texture_id > 0) {
         return error_set(error, STATUS_SCENE, "%s takes no picture: no point of it has a (u, v)",
                          call->keyword->name);
     }

@@ -229,6 +229,7 @@ static void read_scene(lua_State *L, Lesson *lesson) {
     }
     if (!script_question_ask(SCRIPT_ASK_SCENE, name, &answer, NULL)) {
         lua_error_tr(L, "scene `%s`: %s", name, answer.error.message);
+        return;
     }
     memcpy(lesson->scene, answer.real_path, sizeof lesson->scene);
 }

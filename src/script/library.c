@@ -4,12 +4,12 @@
  */
 #include "script/library.h"
 
+#include "base/sanitize.h"
 #include "base/suggest.h"
 #include "script/lua_error.h"
 #include "script/object_names.h"
 #include "script/ordered_pairs.h"
 #include "script/registry_table.h"
-#include "script/sanitize.h"
 #include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"

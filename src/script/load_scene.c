@@ -7,11 +7,11 @@
 #include "assets/asset_budget.h"
 #include "assets/images/texture_file.h"
 #include "assets/meshes/mesh_file.h"
+#include "base/sanitize.h"
 #include "base/scene_name.h"
 #include "script/asset_cache.h"
 #include "script/asset_notes.h"
 #include "script/asset_path.h"
-#include "script/sanitize.h"
 #include "script/script_worker.h"
 
 #include <string.h>

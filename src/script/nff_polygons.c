@@ -8,7 +8,7 @@
 
 #include "assets/meshes/mesh_builder.h"
 #include "assets/meshes/triangulate.h"
-#include "script/sanitize.h"
+#include "base/sanitize.h"
 
 #include <limits.h>
 #include <stdio.h>

@@ -8,10 +8,11 @@
 #include "script/lua_error.h"
 #include "script/read_parameters.h"
 #include "script/registry_table.h"
-#include "script/sanitize.h"
 #include "script/script_question.h"
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
+
+#include "base/sanitize.h"
 
 #include <lauxlib.h>
 #include <string.h>

@@ -307,18 +307,10 @@ static bool has_field(const Keyword *const *keywords, const char *extra, Suggest
 }
 
 /**
- * @return Whether a keyword's first field may be given without its name, as first entry of the
- *         table.
- */
-static bool has_positional_field(const Keyword *keyword) {
-    return keyword->parameters->type == PARAMETER_SDF;
-}
-
-/**
  * @return Whether the key on top of the stack is 1, and the keyword's first field needs no name.
  */
 static bool is_positional_key(lua_State *L, const Keyword *keyword) {
-    return has_positional_field(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
+    return keyword_has_field(keyword) && lua_isinteger(L, -1) && lua_tointeger(L, -1) == 1;
 }
 
 /**
@@ -330,7 +322,7 @@ static bool is_positional_key(lua_State *L, const Keyword *keyword) {
  */
 static bool push_field(lua_State *L, const Keyword *keyword, int i) {
     bool is_named = lua_getfield(L, 1, keyword->parameters[i].name) != LUA_TNIL;
-    if (i > 0 || !has_positional_field(keyword)) {
+    if (i > 0 || !keyword_has_field(keyword)) {
         return is_named;
     }
     bool is_positional = lua_geti(L, 1, 1) != LUA_TNIL;

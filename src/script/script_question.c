@@ -6,8 +6,8 @@
 
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_protocol.h"
+#include "base/sanitize.h"
 #include "script/asset_path.h"
-#include "script/sanitize.h"
 
 #include <assert.h>
 #include <errno.h>

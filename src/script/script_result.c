@@ -5,7 +5,8 @@
 #include "script/script_result.h"
 
 #include "assets/process/worker_process.h"
-#include "script/sanitize.h"
+#include "base/base_name.h"
+#include "base/sanitize.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +16,7 @@ ScriptResult *script_result_create(const char *path) {
     ScriptResult *result = calloc(1, sizeof *result);
     if (result) {
         result->location = SOURCE_LOCATION_START;
-        script_result_add_file(result, path, script_result_base_name(path));
+        script_result_add_file(result, path, base_name(path));
     }
     return result;
 }
@@ -40,7 +41,7 @@ void script_result_repair(ScriptResult *result, const char *path) {
     if (!is_valid) {
         result->location = SOURCE_LOCATION_START;
         result->file_count = 0;
-        script_result_add_file(result, path, script_result_base_name(path));
+        script_result_add_file(result, path, base_name(path));
     }
     if (result->error.status != STATUS_OK) {
         size_t length = strnlen(result->error.message, sizeof message - 1);
@@ -68,11 +69,6 @@ static void make_chunk_name(const ScriptResult *result, char chunk_name[CHUNK_NA
         const char *tail = length > tail_length ? name + length - tail_length : name;
         snprintf(chunk_name, CHUNK_NAME_SIZE, "=#%d...%s", result->file_count, tail);
     }
-}
-
-const char *script_result_base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
 }
 
 const ScriptFile *script_result_add_file(ScriptResult *result, const char *path, const char *name) {

@@ -73,9 +73,6 @@ void script_result_destroy(ScriptResult *result);
  */
 const ScriptFile *script_result_add_file(ScriptResult *result, const char *path, const char *name);
 
-/** @return The name of a file without its folder. */
-const char *script_result_base_name(const char *path);
-
 /**
  * Finds a file by its chunk name.
  * @param result  The report.

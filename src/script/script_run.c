@@ -4,6 +4,7 @@
  */
 #include "script/script_run.h"
 
+#include "base/base_name.h"
 #include "script/include.h"
 #include "script/keywords.h"
 #include "script/library.h"
@@ -41,7 +42,7 @@ static int run_protected(lua_State *L) {
     run->dialect->open(L);
     script_sandbox_track_location(L);
     ScriptText text = *run->text;
-    script_sandbox_load(L, &text, run->request->path, script_result_base_name(run->request->path));
+    script_sandbox_load(L, &text, run->request->path, base_name(run->request->path));
     lua_call(L, 0, 0);
     library_check_metatables(L);
     run->dialect->check(L);

@@ -4,7 +4,7 @@
  */
 #include "script/script_text.h"
 
-#include "script/sanitize.h"
+#include "base/sanitize.h"
 
 #include <errno.h>
 #include <fcntl.h>

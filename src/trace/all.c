@@ -16,6 +16,7 @@
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"
 #include "trace/tracer/wavefront.c"
+#include "trace/tracer/wavefront_pool.c"
 // Light and materials.
 #include "trace/glass/contact.c"
 #include "trace/glass/dielectric.c"

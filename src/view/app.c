@@ -172,7 +172,12 @@ void app_pick_pixel(App *app, double x, double y) {
 }
 
 void app_step_pixel(App *app, int right, int down) {
-    ray_view_step_pixel(&app->window.ray_view, right, down);
+    if (app->window.magnifier.is_on && !app->window.ray_view.is_open) {
+        magnifier_step(&app->window.magnifier, right, down);
+        window_present(&app->window);
+    } else {
+        ray_view_step_pixel(&app->window.ray_view, right, down);
+    }
 }
 
 void app_choose_ray(App *app, size_t ray) {

@@ -8,11 +8,13 @@
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture)
  *     gui/        buttons, lists and marks: a C header over Dear ImGui
  *     loading/    threads: the scene loader, the list of scenes, the file watcher
- *     panels/     what lies over the picture: bar, help, hud, view of rays, captions, list of
- * scenes window.h    the viewports and panels of one window app.h       all of that with scene,
- * time, lesson and input: this file commands/   the table of commands, what they do, the scene on
- * screen, the recorder lesson/     the player: it issues commands input/      keyboard, mouse,
- * window events: they issue commands view.c      the event loop
+ *     panels/     what lies over the picture: bar, help, heads-up panel, rays, captions, scenes
+ *     window.h    the viewports and panels of one window
+ *     app.h       all of that with scene, time, lesson and input: this file
+ *     commands/   the table of commands, what they do, the scene on screen, the recorder
+ *     lesson/     the player: it issues commands
+ *     input/      keyboard, mouse, window events: they issue commands
+ *     view.c      the event loop
  *
  * test_view checks this list against the `#include` lines.
  */
@@ -33,6 +35,9 @@ enum { STATUS_TEXT_SIZE = 256 };
 enum { SCENE_NAME_SIZE = 256 };
 /** Bytes of a caption that is typed, with the final zero. */
 enum { CAPTION_INPUT_SIZE = 512 };
+
+/** The caret of a caption that is typed. */
+#define CARET "\xe2\x96\x8f"
 
 /** SDL event types of the window's own, from #App.first_event on. */
 typedef enum {
@@ -117,6 +122,7 @@ typedef struct Recorder {
     double start_time;                /**< When its clock was 0, seconds on #clock_now_seconds. */
     bool is_entering_caption;         /**< Whether a caption is typed: the clock is paused. */
     char caption[CAPTION_INPUT_SIZE]; /**< What is typed so far, UTF-8. */
+    char shown[CAPTION_INPUT_SIZE + sizeof CARET]; /**< The same with a caret. */
 } Recorder;
 
 /** The title of the window. */
@@ -220,7 +226,8 @@ void app_zoom(App *app, double notches);
  *  height, from the top. */
 void app_pick_pixel(App *app, double x, double y);
 
-/** Shows the rays of a pixel nearby. @param right Pixels to the right. @param down Pixels down. */
+/** Shows the rays of a pixel nearby; or magnifies it, while the magnifier is on. @param right
+ * Pixels to the right. @param down Pixels down. */
 void app_step_pixel(App *app, int right, int down);
 
 /** Chooses one of the rays that are shown. @param ray Its index. */

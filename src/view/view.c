@@ -49,12 +49,22 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
+/** Issues a command, as its key would; the key of a move goes up at once. */
+static void issue_requested(App *app, const Command *command) {
+    double now = clock_now_seconds();
+    command_issue(app, command, now);
+    if (command_is_move(command)) {
+        recorder_on_release(app, command, now);
+        held_keys_release(&app->input.held_keys, command->move, now);
+    }
+}
+
 /** Runs a command by its name, as its key would. @param name NULL: does nothing. */
 static void run_command(App *app, const char *name, int repetitions) {
     const Command *command = name ? command_find(app->commands, name) : NULL;
     for (int i = 0; command && i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
-            command_issue(app, command, clock_now_seconds());
+            issue_requested(app, command);
         }
     }
 }
@@ -67,6 +77,10 @@ static void run_requested_command(App *app) {
     run_command(app, rays->command, 1);
     if (rays->has_ray && !app_is_playing(app)) {
         command_choose_ray(app, rays->ray);
+    }
+    if (app->window.browser.is_requested) {
+        player_open_selected(app);
+        window_present(&app->window);
     }
     // What frames in between have requested counted from a part of the change.
     toolbar->command = NULL;

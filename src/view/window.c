@@ -5,8 +5,10 @@
 #include "view/window.h"
 
 #include "base/language.h"
+#include "view/panels/picture_unrest.h"
 #include "view/state/snapshot.h"
 
+#include <libintl.h>
 #include <stdlib.h>
 
 /** Factor of the size of letters per step. */
@@ -14,22 +16,28 @@ static const double TEXT_SCALE_STEP = 1.2;
 /** Largest factor of the size of letters; the smallest is its inverse. */
 static const double TEXT_SCALE_MAXIMUM = 3;
 
+/** How much calmer the other edge must be until a caption goes there. */
+static const double UNREST_RATIO = 1.5;
+/** Seconds after a change of a setting that the panel of settings stays by itself. */
+static const double SETTINGS_SECONDS = 12;
+/** Seconds that the name of a layer is shown in a presentation. */
+static const double LAYER_NAME_SECONDS = 2.5;
+
 /** Distance from the bar at which the mouse drags it, fraction of the picture's width. */
 static const double BAR_REACH = 0.015;
 
 bool window_open(Window *window, const Scene *scene, const RenderSettings *settings,
                  const char *title, uint32_t pass_event, Error *error) {
     window->pass_event = pass_event;
+    window->settings_chart.meter.event = pass_event; // Its data1 is no viewport.
     window->base_settings = *settings;
-    window->notice.overlay.anchor = window->caption.overlay.anchor = OVERLAY_BOTTOM;
-    window->huds[0].overlay.anchor = OVERLAY_TOP_LEFT;
-    window->huds[1].overlay.anchor = OVERLAY_TOP_RIGHT;
     split_view_move_bar(&window->split, 0.5);
     return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
            sdl_window_open(&window->sdl, title, settings->width, settings->height, error);
 }
 
 void window_close(Window *window) {
+    settings_chart_panel_deinit(&window->settings_chart);
     ray_view_deinit(&window->ray_view);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         viewport_close(&window->viewports[i]);
@@ -65,6 +73,7 @@ RenderSettings window_requested_settings(const Window *window) {
 }
 
 void window_invalidate(Window *window) {
+    settings_chart_panel_clear(&window->settings_chart);
     for (size_t i = 0; i < window_viewport_count(window); i++) {
         window->viewports[i].needs_restart = true;
         window->viewports[i].previous_render_seconds = 0;
@@ -81,10 +90,18 @@ static void update_text_now(Window *window) {
 void window_set_layer(Window *window, Layer layer) {
     update_text_now(window);
     viewport_set_layer(window_active_viewport(window), layer);
+    if (window->is_presenting) {
+        SDL_strlcpy(window->layer_name.text, gettext(layer_name(layer)),
+                    sizeof window->layer_name.text);
+        window->layer_name.end_time = clock_now_seconds() + LAYER_NAME_SECONDS;
+    }
 }
 
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
+    if (!window->shows_settings || window->settings_end_time > 0) {
+        window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
+    }
     window->shows_settings = true;
     viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
@@ -140,9 +157,21 @@ bool window_is_at_bar(const Window *window, double fraction) {
            fabs(fraction - window->split.bar_position) < BAR_REACH;
 }
 
+void window_toggle_chart(Window *window) {
+    settings_chart_panel_toggle(&window->settings_chart);
+    window_present(window);
+}
+
+void window_toggle_magnifier(Window *window) {
+    magnifier_toggle(&window->magnifier);
+    window_present(window);
+}
+
 void window_toggle_settings(Window *window) {
     update_text_now(window);
-    window->shows_settings = !window->shows_settings;
+    // A panel that came by itself is pinned.
+    window->shows_settings = !window->shows_settings || window->settings_end_time > 0;
+    window->settings_end_time = 0;
     window_present(window);
 }
 
@@ -217,6 +246,7 @@ bool window_on_resize(Window *window) {
 void window_on_device_reset(Window *window) {
     window_invalidate_text(window);
     gui_on_device_reset(window->gui);
+    browser_release_textures(&window->browser);
     streaming_texture_release(&window->split.difference_texture);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         streaming_texture_release(&window->viewports[i].texture);
@@ -245,8 +275,10 @@ static void draw_viewports(Window *window) {
     }
 }
 
-/** Draws the panels on the viewports. */
-static void draw_huds(Window *window, const OverlayTarget *target) {
+/** Shows the panels on the viewports, in the upper corners of an area. @param[out] extents Where
+ *  they lie. */
+static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDOW_VIEWPORTS]) {
+    static const char *const ids[WINDOW_VIEWPORTS] = {"panel 1", "panel 2"};
     static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
                                                             {N_("left ←"), N_("right ←")}};
     size_t count = window_viewport_count(window);
@@ -256,14 +288,42 @@ static void draw_huds(Window *window, const OverlayTarget *target) {
                               .title = count > 1 ? titles[is_active][i] : NULL,
                               .shows_settings = window->shows_settings};
         hud_update(&window->huds[i], &content, clock_now_seconds());
-        hud_show(&window->huds[i], target);
+        GuiPlace place = {*area, (float)i, 0};
+        place.room.width = area->width / (float)count;
+        place.room.x += (float)i * place.room.width;
+        extents[i] = hud_show(&window->huds[i], ids[i], &place);
     }
 }
 
-/** Draws pictures and panels: everything but buttons, marks and messages. */
+/** Chooses the edge of the picture at which the caption hides least. @param room The room for it,
+ *  @param is_top_free Whether nothing else lies at the upper edge. */
+static void choose_caption_edge(Window *window, const GuiRect *room, bool is_top_free) {
+    Caption *caption = &window->caption;
+    double part = (double)(caption_height(caption, room->width) / SDL_max(1, room->height));
+    double above = picture_unrest(&window->viewports[0], 0, part);
+    double below = picture_unrest(&window->viewports[0], 1 - part, 1);
+    double favour = caption->is_above ? UNREST_RATIO : 1 / UNREST_RATIO;
+    caption->is_above = is_top_free && above < below * favour;
+}
+
+float window_show_panels(Window *window, const GuiRect *area) {
+    GuiRect extents[WINDOW_VIEWPORTS] = {{0}};
+    GuiRect room = *area;
+    if (!window->ray_view.is_open) {
+        show_huds(window, area, extents);
+    }
+    float notice = notice_show(&window->notice, &room);
+    room.height = SDL_max(1, room.height - notice);
+    if (caption_is_open(&window->caption)) {
+        choose_caption_edge(window, &room, extents[0].height <= 0 && !window->ray_view.is_open);
+    }
+    GuiRect caption = caption_show(&window->caption, &room);
+    bool is_below = caption.height > 0 && !window->caption.is_above;
+    return is_below ? caption.y : room.y + room.height;
+}
+
+/** Draws the pictures. */
 static void draw_pictures(Window *window) {
-    double scale = window->text_scale > 0 ? window->text_scale : 1;
-    OverlayTarget target = {window->sdl.renderer, scale, 1, window_toolbar_height(window)};
     SDL_Rect area = window_area(window);
     sdl_window_clear(&window->sdl);
     if (window->ray_view.is_open && !window->help.is_open) {
@@ -272,13 +332,6 @@ static void draw_pictures(Window *window) {
     } else {
         draw_viewports(window);
     }
-    if (!window->help.is_open && !window->ray_view.is_open) {
-        draw_huds(window, &target);
-    }
-    caption_show(&window->caption, &target);
-    notice_show(&window->notice, &target);
-    browser_show(&window->browser, &target);
-    help_show(&window->help, &target);
 }
 
 void window_present(Window *window) {
@@ -288,10 +341,6 @@ void window_present(Window *window) {
 }
 
 void window_invalidate_text(Window *window) {
-    overlay_invalidate(&window->help.overlay);
-    overlay_invalidate(&window->browser.overlay);
-    overlay_invalidate(&window->notice.overlay);
-    overlay_invalidate(&window->caption.overlay);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         hud_invalidate(&window->huds[i]);
     }
@@ -370,7 +419,9 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
         window->opens_widgets = false;
         window_open_widgets(window);
     }
-    if (window_widgets_are_due(window, now)) {
+    bool has_point = settings_chart_panel_update(&window->settings_chart,
+                                                 window_active_viewport(window), scene);
+    if (window_widgets_are_due(window, now) || has_point) {
         window_present(window);
     }
     RayViewInput input = {window_active_viewport(window), scene, window->pass_event, now,
@@ -435,12 +486,31 @@ static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *p
     return is_made;
 }
 
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb) {
+    const SplitView *split = &window->split;
+    const Viewport *first = &window->viewports[0];
+    if (window_viewport_count(window) == 1) {
+        renderer_copy_part(first->renderer, x, y, columns, rows, rgb);
+    } else if (split->mode == SPLIT_DIFFERENCE) {
+        split_view_copy_part(split, x, y, columns, rows, rgb);
+    } else {
+        int right = split_view_column(split, first->width);
+        for (int column = x; column < x + columns; column++) {
+            Renderer *renderer = window->viewports[column >= right ? 1 : 0].renderer;
+            for (int row = y; row < y + rows; row++) {
+                uint8_t *pixel = rgb + 3 * ((row - y) * columns + column - x);
+                renderer_copy_part(renderer, column, row, 1, 1, pixel);
+            }
+        }
+    }
+}
+
 bool window_copy_screen(Window *window, Picture *picture, Error *error) {
     SDL_Rect area = window_area(window);
     size_t row = (size_t)area.w * 4;
     uint8_t *bgrx = malloc(row * (size_t)area.h);
     draw_pictures(window);
-    window_show_screen_only(window);
+    window_show_panels_alone(window);
     if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
                                      (int)row) != 0) {
         free(bgrx);

@@ -11,7 +11,9 @@
 #include "view/panels/hud.h"
 #include "view/panels/lesson_panel.h"
 #include "view/panels/light_marks.h"
+#include "view/panels/magnifier.h"
 #include "view/panels/ray_view.h"
+#include "view/panels/settings_chart_panel.h"
 #include "view/panels/toolbar.h"
 #include "view/state/latency.h"
 #include "view/window/sdl_window.h"
@@ -50,24 +52,30 @@ typedef struct Window {
     SdlWindow sdl;                        /**< The window on the screen. */
     Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
     bool shows_settings;                  /**< Whether the panels show the settings. */
-    Help help;                            /**< The help. */
-    Notice notice;                        /**< The notice of an error. */
-    Browser browser;                      /**< The list of scenes. */
-    Caption caption;                      /**< The caption that is typed. */
-    LessonPanel lesson_panel;             /**< The panel of a lesson. */
-    RayView ray_view;                      /**< The rays of one pixel. */
-    Gui *gui;                             /**< Buttons, lists and marks; owned; NULL: no font. */
-    bool opens_widgets;                   /**< Whether #gui is to be created. */
-    Toolbar toolbar;                      /**< The bar at the upper edge. */
-    int fitted_height;                    /**< Height of bar and lesson panel that the window has
-                                               room for, pixels. */
-    LightMarks light_marks;               /**< The marks of the lights. */
-    Toast toast;                          /**< The newest message. */
-    Toast hint;                           /**< What to press, at the start. */
-    double next_progress_time;            /**< When a legend says next how far the work is. */
-    WindowState state;                    /**< What they show. */
-    double text_scale;                    /**< Factor of the size of letters; 0: 1. */
-    Latency latency;                      /**< The latency from keys to pictures. */
+    double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
+    bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
+    Toast layer_name;         /**< Name of the layer, in a presentation. */
+    Help help;                /**< The help. */
+    Notice notice;            /**< The notice of an error. */
+    Browser browser;          /**< The list of scenes. */
+    Caption caption;          /**< The caption that is typed. */
+    LessonPanel lesson_panel; /**< The panel of a lesson. */
+    RayView ray_view;         /**< The rays of one pixel. */
+    Gui *gui;                 /**< Buttons, lists and marks; owned; NULL: no font. */
+    bool opens_widgets;       /**< Whether #gui is to be created. */
+    Toolbar toolbar;          /**< The bar at the upper edge. */
+    int fitted_height;        /**< Height of bar and lesson panel that the window has
+                                   room for, pixels. */
+    LightMarks light_marks;   /**< The marks of the lights. */
+    Magnifier magnifier;      /**< Some pixels as squares. */
+    SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
+    Toast toast;              /**< The newest message. */
+    Toast hint;               /**< What to press, at the start. */
+    double next_progress_time; /**< When bar or legend say next how far it is,
+                                    seconds. */
+    WindowState state;         /**< What they show. */
+    double text_scale;         /**< Factor of the size of letters; 0: 1. */
+    Latency latency;           /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
     bool is_hidden;            /**< Whether the window is hidden or minimized. */
     uint32_t pass_event;       /**< SDL event of a finished pass. */
@@ -169,7 +177,7 @@ void window_set_size_below_toolbar(Window *window, int width, int height);
 /** Creates buttons, lists and marks, once the first picture is on screen. */
 void window_open_widgets(Window *window);
 
-/** Shows buttons, lists, marks and messages over the picture. */
+/** Shows panels, buttons, lists, marks and messages over the picture. */
 void window_show_widgets(Window *window);
 
 /** @return A rectangle of pixels in screen units. */
@@ -178,11 +186,36 @@ SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
 /** Shows legends and rings: what belongs to a picture of the screen, too. */
 void window_show_values(const Window *window);
 
-/** Shows what belongs to a picture of the screen: legends, rings and rays, no buttons, no messages. */
-void window_show_screen_only(Window *window);
+/** Shows panels alone, without buttons, marks and messages: for a picture of the screen. */
+void window_show_panels_alone(Window *window);
 
-/** Shows what the pixel under the mouse shows. */
+/** Shows the panels on the pictures: settings, costs, legends, captions and notices. @param area
+ * The part of the window for them, screen units. @return Where what lies at its lower edge begins.
+ */
+float window_show_panels(Window *window, const GuiRect *area);
+
+/** Places the magnifier. */
+void window_follow_mouse(Window *window);
+
+/** Shows how far a pass is that takes long, at the lower edge of the picture. */
+void window_show_progress(Window *window);
+
+/** @return Seconds until that bar, or the number of a legend, moves; #WINDOW_NO_TIMEOUT: there is
+ *  none. */
+double window_progress_timeout(const Window *window, double now);
+
+/** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
 void window_show_readout(const Window *window);
+
+/** Shows or hides the chart of settings. */
+void window_toggle_chart(Window *window);
+
+/** Shows or hides the magnifier. */
+void window_toggle_magnifier(Window *window);
+
+/** Copies the colours of a part of the picture as it is seen: of one picture, of two, or of their
+ *  difference. See #renderer_copy_part. */
+void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb);
 
 /** @return Whether they have changed since they were shown. */
 bool window_widgets_are_due(Window *window, double now);
@@ -200,11 +233,17 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel);
 /** Shows or hides the toolbar. */
 void window_toggle_toolbar(Window *window);
 
+/** Begins or ends a presentation: no bar, larger letters, the pointer as a ring. */
+void window_toggle_presentation(Window *window);
+
 /** Sets what the window shows beside its pictures. */
 void window_set_state(Window *window, const WindowState *state);
 
 /** Takes the hint away: the user has begun. */
 void window_end_hint(Window *window);
+
+/** Takes the message on the picture away. */
+void window_end_toast(Window *window);
 
 /** Shows a message on the picture for a while. */
 void window_set_toast(Window *window, const char *text);

@@ -9,6 +9,8 @@
 
 /** Radius of a ring, in heights of letters. */
 static const float RING_RADIUS = 0.8F;
+/** Radius of the ring around the pixel that is magnified, in heights of letters. */
+static const float MAGNIFIED_RADIUS = 0.5F;
 /** Room below a legend for the readout of one picture and of two, in heights of letters. */
 static const float READOUT_ROOMS[WINDOW_VIEWPORTS] = {2, 5};
 
@@ -29,6 +31,12 @@ static bool is_difference_shown(const Window *window) {
     return window_viewport_count(window) > 1 && window->split.mode == SPLIT_DIFFERENCE;
 }
 
+/** @return Whether a column shows the right one of two pictures. */
+static bool is_right_side(const Window *window, int column) {
+    return window_viewport_count(window) > 1 && window->split.mode == SPLIT_BAR &&
+           column >= split_view_column(&window->split, window->viewports[0].width);
+}
+
 /** Finds the pixel under the mouse. @return false if the mouse is not on the picture. */
 static bool pixel_under_mouse(const Window *window, int *column, int *row) {
     const Viewport *viewport = &window->viewports[0];
@@ -47,12 +55,13 @@ static bool pixel_under_mouse(const Window *window, int *column, int *row) {
 /* --- legends ---------------------------------------------------------------------------------- */
 
 /** Draws a legend. @param area The window without its bar, screen units. */
-static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area, bool is_right) {
+static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area,
+                        bool is_right) {
     GuiSwatch swatches[LEGEND_ENTRIES_MAXIMUM];
     const char *notes[LEGEND_NOTES];
     for (size_t i = 0; i < legend->entry_count; i++) {
-        swatches[i] = (GuiSwatch){.position = (float)legend->entries[i].position,
-                                  .text = legend->texts[i]};
+        swatches[i] =
+            (GuiSwatch){.position = (float)legend->entries[i].position, .text = legend->texts[i]};
         memcpy(swatches[i].rgb, legend->entries[i].rgb, sizeof swatches[i].rgb);
     }
     for (size_t i = 0; i < legend->note_count; i++) {
@@ -137,22 +146,71 @@ static bool read_pixels(const Window *window, int x, int y, PixelReadout *readou
     return true;
 }
 
+/** Draws a pixel of the magnifier, with those around it. */
+static void show_magnifier(const Window *window) {
+    const Viewport *viewport = &window->viewports[0];
+    const PixelPosition *pixel = &window->magnifier.pixel;
+    uint8_t rgb[3 * MAGNIFIER_PIXELS * MAGNIFIER_PIXELS] = {0};
+    char caption[READOUT_SIZE];
+    PixelReadout readout;
+    if (!window->magnifier.is_on || !read_pixels(window, pixel->x, pixel->y, &readout)) {
+        return;
+    }
+    int reach = MAGNIFIER_PIXELS / 2, x = pixel->x - reach, y = pixel->y - reach;
+    window_copy_part(window, x, y, MAGNIFIER_PIXELS, MAGNIFIER_PIXELS, rgb);
+    size_t side = is_right_side(window, pixel->x) ? 1 : 0;
+    if (is_difference_shown(window)) {
+        pixel_readout_difference(readout.readings, caption);
+    } else {
+        pixel_readout_value(&readout.readings[side], caption);
+    }
+    GuiPixels pixels = {rgb, MAGNIFIER_PIXELS, MAGNIFIER_PIXELS, caption};
+    SDL_Rect picture = picture_units(window);
+    GuiPoint point = {(float)(picture.x + (pixel->x + 0.5) / viewport->width * picture.w),
+                      (float)(picture.y + (pixel->y + 0.5) / viewport->height * picture.h)};
+    gui_ring(point, MAGNIFIED_RADIUS * gui_text_size());
+    gui_pixels(&pixels, point, window->toolbar.is_folded ? 0 : window->toolbar.height);
+}
+
+void window_follow_mouse(Window *window) {
+    PixelPosition mouse;
+    const Viewport *viewport = &window->viewports[0];
+    bool is_there = pixel_under_mouse(window, &mouse.x, &mouse.y);
+    magnifier_follow(&window->magnifier, is_there ? &mouse : NULL, SDL_max(1, viewport->width),
+                     SDL_max(1, viewport->height));
+}
+
 void window_show_readout(const Window *window) {
-    int x = 0, y = 0, width = 0, height = 0;
+    PixelPosition pixel = window->magnifier.pixel;
+    int width = 0, height = 0;
     PixelReadout readout;
     char text[READOUT_SIZE];
-    if (!is_picture_shown(window) || window->hint.text[0] != '\0' ||
-        !pixel_under_mouse(window, &x, &y) || !read_pixels(window, x, y, &readout)) {
+    bool is_on = window->magnifier.is_on ||
+                 (!window->toolbar.is_folded && pixel_under_mouse(window, &pixel.x, &pixel.y));
+    if (!is_on || !is_picture_shown(window) || window->hint.text[0] != '\0' ||
+        !read_pixels(window, pixel.x, pixel.y, &readout)) {
         return;
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     pixel_readout_write(&readout, text);
-    gui_readout(text, readout.readings[0].rgb, (GuiPoint){0, (float)height});
+    size_t side = is_right_side(window, pixel.x) ? 1 : 0;
+    gui_readout(text, readout.readings[side].rgb, (GuiPoint){0, (float)height});
+}
+
+/** Shows the chart of settings, if it is open. */
+static void show_chart(const Window *window) {
+    if (window->settings_chart.is_open) {
+        SDL_Rect area = window_to_units(window, window_area(window));
+        size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
+        settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
+    }
 }
 
 void window_show_values(const Window *window) {
     if (is_picture_shown(window)) {
         show_all_rings(window);
         show_legends(window);
+        show_magnifier(window);
+        show_chart(window);
     }
 }

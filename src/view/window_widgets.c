@@ -4,13 +4,13 @@
  */
 #include "view/window.h"
 
-#include "view/window/font.h"
-
 #include <libintl.h>
 #include <stdio.h>
+#include <string.h>
 
-/** Rows of text that fill the height of the window: read from the last row of a class. */
-static const float ROWS_PER_WINDOW = 30;
+/** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
+ *  still 1/30 of the window, which can be read from the last row of a class. */
+static const float ROWS_BELOW_TOOLBAR = 26;
 /** Smallest height of letters, screen units. */
 static const float TEXT_SIZE_MINIMUM = 14;
 /** Largest part of the window's height for the bar. */
@@ -21,8 +21,10 @@ enum { LAYOUTS_MAXIMUM = 4 };
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
-/** Seconds between two numbers of how much of a reference there is. */
-static const double PROGRESS_SECONDS = 0.5;
+/** Room for the swatch beside the sign of a recording, in heights of letters. */
+static const float RECORDING_MARGIN = 3.5F;
+/** Factor of the size of letters in a presentation. */
+static const float PRESENTATION_SCALE = 1.4F;
 /** Width of the window beside the picture from which the lesson panel stands there, and not below,
  *  in heights of letters. */
 static const double PANEL_WIDTH_MINIMUM = 12;
@@ -79,7 +81,7 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
     const RenderSettings *settings = &window->base_settings;
     double text_scale = window->text_scale > 0 ? window->text_scale : 1;
     double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
-    double letter = text_scale * fmax(least, area->h / (double)ROWS_PER_WINDOW);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_BELOW_TOOLBAR);
     double beside = area->w - (double)area->h * settings->width / settings->height;
     SDL_Rect panel = {0};
     if (!window->gui || !window->lesson_panel.lesson) {
@@ -93,8 +95,8 @@ static SDL_Rect split_off_panel(const Window *window, SDL_Rect *area) {
         return panel;
     }
     // Its letters are those of a window without the panel.
-    letter =
-        text_scale * fmax(least, area->h / ((double)ROWS_PER_WINDOW + PANEL_HEIGHT * text_scale));
+    letter = text_scale *
+             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
     panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
     area->h = SDL_max(1, area->h - panel.h);
     panel.y += area->h;
@@ -145,10 +147,14 @@ void window_set_toast(Window *window, const char *text) {
     }
 }
 
+void window_end_toast(Window *window) {
+    window->toast.end_time = 0;
+}
+
 /** Writes what a newcomer may press. */
 static void set_hint(Window *window) {
     static const char *const names[] = {"light up", "light left", "light down", "light right"};
-    char light[PANEL_LABEL_SIZE] = "", help[PANEL_LABEL_SIZE] = "";
+    char light[GUI_LABEL_SIZE] = "", help[GUI_LABEL_SIZE] = "";
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
                        sizeof light);
@@ -177,11 +183,24 @@ static bool toast_expire(Toast *toast, double now) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
+/** @return Height of bar and lesson panel, pixels, when the picture keeps a height. @param picture
+ *  That height, pixels. */
+static int height_to_use(const Window *window, int picture) {
+    SDL_Rect area = area_below_toolbar(window);
+    bool is_below = split_off_panel(window, &area).y > area.y;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * pixels_per_unit(window);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_BELOW_TOOLBAR);
+    return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
+}
+
 /** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
  *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
     Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
-    int width = 0, height = 0, used = window_used_height(window);
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    int used = height_to_use(window, height - window->fitted_height);
     int added = used - window->fitted_height;
     window->fitted_height = used;
     if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
@@ -220,7 +239,7 @@ static bool set_toolbar_folded(Window *window, bool is_folded) {
 }
 
 void window_open_widgets(Window *window) {
-    window->gui = gui_create(window->sdl.window, window->sdl.renderer, font_path());
+    window->gui = gui_create(window->sdl.window, window->sdl.renderer);
     window->toolbar.is_folded = true;
     if (window->gui && !window->state.is_playing) {
         set_hint(window);
@@ -246,36 +265,47 @@ void window_toggle_toolbar(Window *window) {
     }
 }
 
-/** @return Whether a legend says how much of the work is done, and it is not all done. */
-static bool has_progress(const Window *window) {
-    bool is_under_way = false;
-    for (size_t i = 0; i < window_viewport_count(window); i++) {
-        const RenderStats *report = &window->viewports[i].report;
-        is_under_way = is_under_way || (report->layer.reference && !report->is_finished);
+void window_toggle_presentation(Window *window) {
+    window->is_presenting = !window->is_presenting;
+    window->toolbar.is_folded = window->is_presenting;
+    window_relayout_toolbar(window);
+    if (window->gui) {
+        gui_set_ring(window->gui, window->is_presenting);
     }
-    return is_under_way && window->gui && !window->ray_view.is_open;
+    window_present(window);
+}
+
+/** Takes the settings away that came by themselves. @return Whether they were shown until now. */
+static bool expire_settings(Window *window, double now) {
+    bool is_over = window->settings_end_time > 0 && now >= window->settings_end_time;
+    if (is_over) {
+        window->shows_settings = false;
+        window->settings_end_time = 0;
+        for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+            hud_invalidate(&window->huds[i]);
+        }
+    }
+    return is_over;
 }
 
 bool window_widgets_are_due(Window *window, double now) {
     bool is_over = toast_expire(&window->toast, now);
     is_over = toast_expire(&window->hint, now) || is_over;
-    if (has_progress(window) && now >= window->next_progress_time) {
-        window->next_progress_time = now + PROGRESS_SECONDS;
-        is_over = true;
-    }
-    return is_over || gui_needs_frame(window->gui);
+    is_over = toast_expire(&window->layer_name, now) || is_over;
+    is_over = expire_settings(window, now) || is_over;
+    return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
-    const Toast *const toasts[] = {&window->toast, &window->hint};
-    double delay = gui_needs_frame(window->gui) ? 0 : WINDOW_NO_TIMEOUT;
-    if (has_progress(window)) {
-        delay = fmin(delay, fmax(0, window->next_progress_time - now));
-    }
+    const Toast *const toasts[] = {&window->toast, &window->hint, &window->layer_name};
+    double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
         }
+    }
+    if (window->settings_end_time > 0) {
+        delay = fmin(delay, fmax(0, window->settings_end_time - now));
     }
     return delay;
 }
@@ -284,6 +314,12 @@ SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
     double scale = pixels_per_unit(window);
     return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
                       (int)(rect.h / scale)};
+}
+
+/** @return The part of the window below the toolbar, screen units. */
+static GuiRect window_area_units(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
 }
 
 /** Shows the bar. */
@@ -296,22 +332,33 @@ static void show_toolbar(Window *window) {
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
                               .shows_rays = window->ray_view.is_open,
+                              .shows_chart = window->settings_chart.is_open,
+                              .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording};
     toolbar_show(&window->toolbar, &content);
 }
 
-/** Shows the messages: the newest one below the bar, the hint at the lower edge. */
-static void show_messages(const Window *window, int width, int height) {
-    float gap = gui_text_size();
-    if (window->toast.text[0] != '\0') {
-        gui_message("toast", window->toast.text,
-                    (GuiPoint){(float)width / 2, window->toolbar.height + gap / 2}, GUI_BELOW);
+/** Shows that a lesson is recorded, in the upper right corner of the picture. */
+static void show_recording_sign(const Window *window, int width) {
+    static const unsigned char red[3] = {230, 60, 50};
+    const char *text = gettext("recording");
+    float size = gui_text_size();
+    if (window->state.is_recording) {
+        gui_readout(text, red,
+                    (GuiPoint){(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
+                               window->toolbar.height + 2 * size});
     }
-    if (window->hint.text[0] != '\0') {
-        gui_message("hint", window->hint.text,
-                    (GuiPoint){(float)width / 2, (float)height - gap / 2}, GUI_ABOVE);
+}
+
+/** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
+ *  the room for them. */
+static void show_messages(const Window *window, int width, float bottom) {
+    const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
+    if (toast->text[0] != '\0' && strcmp(toast->text, window->notice.text) != 0) {
+        gui_message("toast", toast->text,
+                    (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
     }
 }
 
@@ -319,9 +366,51 @@ static void show_messages(const Window *window, int width, int height) {
 static float text_size(const Window *window) {
     int width = 0, height = 0;
     double scale = window->text_scale > 0 ? window->text_scale : 1;
+    scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
     window_size_below_toolbar(window, &width, &height);
     // Whole units: the bar keeps its height while the window gains a pixel.
-    return roundf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_PER_WINDOW));
+    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+}
+
+/** Gives the mouse the shape of what it does: a hand over a light, arrows at the bar between two
+ *  pictures and while something is dragged. */
+static void show_cursor(const Window *window) {
+    int x = 0, y = 0;
+    double right = 0, down = 0;
+    Uint32 buttons = SDL_GetMouseState(&x, &y);
+    bool is_inside = SDL_GetMouseFocus() == window->sdl.window && !window->help.is_open &&
+                     !window->browser.is_open &&
+                     window_picture_position(window, x, y, &right, &down);
+    if (!is_inside) {
+        return;
+    }
+    bool is_at_bar = !window->ray_view.is_open && window_is_at_bar(window, right);
+    if (window->split.is_dragged || is_at_bar) {
+        gui_set_cursor(GUI_CURSOR_SIDEWAYS);
+    } else if (buttons & SDL_BUTTON_LMASK) {
+        gui_set_cursor(GUI_CURSOR_MOVE);
+    } else if (window_light_at(window, x, y)) {
+        gui_set_cursor(GUI_CURSOR_HAND);
+    }
+}
+
+/** Shows the marks of the lights. */
+static void show_light_marks(Window *window) {
+    if (!window->ray_view.is_open && !window->toolbar.is_folded && window->state.scene) {
+        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+        light_marks_show(&window->light_marks, window->state.scene, &picture,
+                         window->state.selected_light);
+    }
+}
+
+/** Shows the help, and requests the command that is clicked there. */
+static void show_help(Window *window, const GuiRect *area) {
+    help_show(&window->help, area);
+    if (window->help.requested) {
+        window->toolbar.command = window->help.requested->name;
+        window->toolbar.repetitions = 1;
+        window->help.requested = NULL;
+    }
 }
 
 /** Shows list, formulas and numbers of the rays, if they are shown. */
@@ -334,6 +423,25 @@ static void show_rays(Window *window) {
     }
 }
 
+/** Shows the panel of the lesson that plays. */
+static void show_lesson_panel(Window *window) {
+    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
+    if (window->lesson_panel.lesson) {
+        panel = window_to_units(window, panel);
+        lesson_panel_show(&window->lesson_panel, &panel);
+    }
+}
+
+/** @return The part of the window for panels: below the bar, or below its button if it is folded.
+ */
+static GuiRect area_below_button(const Window *window) {
+    GuiRect area = window_area_units(window);
+    float hidden = SDL_max(0, window->toolbar.height - area.y);
+    area.y += hidden;
+    area.height = SDL_max(1, area.height - hidden);
+    return area;
+}
+
 void window_show_widgets(Window *window) {
     int width = 0, height = 0;
     if (!window->gui) {
@@ -341,26 +449,35 @@ void window_show_widgets(Window *window) {
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, text_size(window));
-    show_toolbar(window);
-    bool is_picture = !window->help.is_open && !window->browser.is_open;
+    window->toolbar.height = 0;
+    // The button of a folded bar would cover what a lesson shows.
+    if (!window->is_presenting && !(window->toolbar.is_folded && window->lesson_panel.lesson)) {
+        show_toolbar(window);
+    }
+    show_cursor(window);
+    GuiRect area = area_below_button(window);
+    float bottom = area.y + area.height;
     window->light_marks.count = 0;
-    if (is_picture && !window->ray_view.is_open && !window->toolbar.is_folded &&
-        window->state.scene) {
-        SDL_Rect picture = window_to_units(window, window_picture_rect(window));
-        light_marks_show(&window->light_marks, window->state.scene, &picture,
-                         window->state.selected_light);
-    }
-    window_show_values(window);
-    if (!window->toolbar.is_folded) {
+    if (window->help.is_open) {
+        show_help(window, &area);
+    } else if (window->browser.is_open) {
+        browser_show(&window->browser, window->sdl.renderer, &area);
+    } else {
+        show_light_marks(window);
+        window_follow_mouse(window);
+        window_show_values(window);
         window_show_readout(window);
+        show_rays(window);
+        window_show_progress(window);
+        show_lesson_panel(window);
+        area.height = SDL_max(1, area.height - gui_readout_height());
+        bottom = window_show_panels(window, &area);
     }
-    show_rays(window);
-    SDL_Rect area = area_below_toolbar(window), panel = split_off_panel(window, &area);
-    if (is_picture && window->lesson_panel.lesson) {
-        panel = window_to_units(window, panel);
-        lesson_panel_show(&window->lesson_panel, &panel);
+    show_recording_sign(window, width);
+    show_messages(window, width, bottom);
+    if (window->layer_name.text[0] != '\0') {
+        gui_title(window->layer_name.text, (GuiPoint){(float)width / 2, area.y + gui_text_size()});
     }
-    show_messages(window, width, height);
     gui_end_frame(window->gui);
 }
 
@@ -370,13 +487,17 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray) {
     return ray_view_ray_at(&window->ray_view, (x + 0.5) * scale, (y + 0.5) * scale, &area, ray);
 }
 
-void window_show_screen_only(Window *window) {
-    if (window->gui) {
-        gui_begin_frame(window->gui, text_size(window));
-        window_show_values(window);
-        show_rays(window);
-        gui_end_frame(window->gui);
+void window_show_panels_alone(Window *window) {
+    if (!window->gui) {
+        return;
     }
+    GuiRect area = window_area_units(window);
+    gui_begin_frame(window->gui, text_size(window));
+    window_show_values(window);
+    show_rays(window);
+    window_show_panels(window, &area);
+    gui_end_frame(window->gui);
+    gui_request_frames(window->gui);
 }
 
 const LightMark *window_light_at(const Window *window, int x, int y) {

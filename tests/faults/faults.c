@@ -33,25 +33,17 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *block, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/** Kinds of calls, by the words of FAULT_KIND. */
-typedef enum {
-    KIND_NONE,
-    KIND_MALLOC,
-    KIND_MMAP,
-    KIND_OPEN,
-    KIND_READ,
-    KIND_WRITE,
-    KIND_PIPE,
-    KIND_THREAD,
-    KIND_SPAWN,
-    KIND_RENAME,
-    KIND_CLOSE,
-    KIND_SYNC
-} Kind;
+/** Kinds of calls, in the words of FAULT_KIND; tests/faults.sh reads this list. */
+#define KINDS(X)                                                                                   \
+    X(malloc) X(mmap) X(open) X(read) X(write) X(pipe) X(thread) X(spawn) X(rename) X(close) X(sync)
+/** A kind as a constant, and as a word. */
+#define KIND_CONSTANT(word) KIND_##word,
+#define KIND_WORD(word) #word,
+/** A kind of calls. */
+typedef enum { KIND_none, KINDS(KIND_CONSTANT) KIND_COUNT } Kind;
 
 /** The words of #Kind, in its order. */
-static const char *const kind_words[] = {"none", "malloc", "mmap",  "open",   "read",  "write",
-                                         "pipe", "thread", "spawn", "rename", "close", "sync"};
+static const char *const kind_words[] = {"none", KINDS(KIND_WORD)};
 
 /** A loaded object whose calls are counted. */
 typedef struct Range {
@@ -61,7 +53,7 @@ typedef struct Range {
 
 /** What fails, and what was counted so far. */
 static struct {
-    Kind kind;          /**< Which calls; #KIND_NONE: none. */
+    Kind kind;          /**< Which calls; #KIND_none: none. */
     int number;         /**< The call that fails. */
     atomic_int calls;   /**< Calls so far. */
     char *mark;         /**< The first byte of the file, in memory. */
@@ -89,12 +81,12 @@ static int add_range(struct dl_phdr_info *object, size_t size, void *context) {
 
 /** @return The kind of a word. */
 static Kind kind_of(const char *word) {
-    for (Kind kind = KIND_MALLOC; word && kind <= KIND_SYNC; kind++) {
+    for (Kind kind = KIND_none + 1; word && kind < KIND_COUNT; kind++) {
         if (strcmp(word, kind_words[kind]) == 0) {
             return kind;
         }
     }
-    return KIND_NONE;
+    return KIND_none;
 }
 
 /** Reads the environment, once the program is loaded. */
@@ -151,32 +143,32 @@ static bool fails(Kind kind, const void *caller, int reason) {
 // --- memory --------------------------------------------------------------------------------------
 
 void *malloc(size_t size) {
-    FAIL(KIND_MALLOC, ENOMEM, NULL)
+    FAIL(KIND_malloc, ENOMEM, NULL)
     return __libc_malloc(size);
 }
 
 void *calloc(size_t count, size_t size) {
-    FAIL(KIND_MALLOC, ENOMEM, NULL)
+    FAIL(KIND_malloc, ENOMEM, NULL)
     return __libc_calloc(count, size);
 }
 
 void *realloc(void *block, size_t size) {
-    FAIL(KIND_MALLOC, ENOMEM, NULL)
+    FAIL(KIND_malloc, ENOMEM, NULL)
     return __libc_realloc(block, size);
 }
 
 void *aligned_alloc(size_t alignment, size_t size) {
-    FAIL(KIND_MALLOC, ENOMEM, NULL)
+    FAIL(KIND_malloc, ENOMEM, NULL)
     return __libc_memalign(alignment, size);
 }
 
 FILE *open_memstream(char **bytes, size_t *size) {
-    FAIL(KIND_MALLOC, ENOMEM, NULL)
+    FAIL(KIND_malloc, ENOMEM, NULL)
     return REAL(FILE *, "open_memstream", char **, size_t *)(bytes, size);
 }
 
 void *mmap(void *address, size_t size, int rights, int flags, int file, off_t start) {
-    FAIL(KIND_MMAP, ENOMEM, MAP_FAILED)
+    FAIL(KIND_mmap, ENOMEM, MAP_FAILED)
     return (void *)syscall(SYS_mmap, address, size, rights, flags, file, start); // NOLINT
 }
 
@@ -187,7 +179,7 @@ int open(const char *path, int flags, ...) {
     va_start(arguments, flags);
     int mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(arguments, int) : 0;
     va_end(arguments);
-    FAIL(KIND_OPEN, EMFILE, -1)
+    FAIL(KIND_open, EMFILE, -1)
     return (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
 }
 
@@ -196,57 +188,64 @@ int openat(int folder, const char *path, int flags, ...) {
     va_start(arguments, flags);
     int mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(arguments, int) : 0;
     va_end(arguments);
-    FAIL(KIND_OPEN, EMFILE, -1)
+    FAIL(KIND_open, EMFILE, -1)
     return (int)syscall(SYS_openat, folder, path, flags, mode);
 }
 
 FILE *fopen(const char *path, const char *mode) {
-    FAIL(KIND_OPEN, EMFILE, NULL)
+    FAIL(KIND_open, EMFILE, NULL)
     return REAL(FILE *, "fopen", const char *, const char *)(path, mode);
 }
 
 FILE *fdopen(int file, const char *mode) {
-    FAIL(KIND_OPEN, ENOMEM, NULL)
+    FAIL(KIND_open, ENOMEM, NULL)
     return REAL(FILE *, "fdopen", int, const char *)(file, mode);
 }
 
 ssize_t read(int file, void *bytes, size_t size) {
-    FAIL(KIND_READ, EIO, -1)
+    FAIL(KIND_read, EIO, -1)
     return syscall(SYS_read, file, bytes, size);
 }
 
 ssize_t pread(int file, void *bytes, size_t size, off_t start) {
-    FAIL(KIND_READ, EIO, -1)
+    FAIL(KIND_read, EIO, -1)
     return syscall(SYS_pread64, file, bytes, size, start);
 }
 
 ssize_t recv(int file, void *bytes, size_t size, int flags) {
-    FAIL(KIND_READ, EIO, -1)
+    FAIL(KIND_read, EIO, -1)
     return syscall(SYS_recvfrom, file, bytes, size, flags, NULL, NULL);
 }
 
 ssize_t recvmsg(int file, struct msghdr *message, int flags) {
-    FAIL(KIND_READ, EIO, -1)
+    FAIL(KIND_read, EIO, -1)
     return syscall(SYS_recvmsg, file, message, flags);
 }
 
 size_t fread(void *bytes, size_t size, size_t count, FILE *stream) {
-    FAIL(KIND_READ, EIO, 0)
+    FAIL(KIND_read, EIO, 0)
     return REAL(size_t, "fread", void *, size_t, size_t, FILE *)(bytes, size, count, stream);
 }
 
+// What _FORTIFY_SOURCE makes of it.
+size_t __fread_chk(void *bytes, size_t capacity, size_t size, size_t count, FILE *stream) {
+    FAIL(KIND_read, EIO, 0)
+    return REAL(size_t, "__fread_chk", void *, size_t, size_t, size_t, FILE *)(bytes, capacity,
+                                                                               size, count, stream);
+}
+
 ssize_t write(int file, const void *bytes, size_t size) {
-    FAIL(KIND_WRITE, ENOSPC, -1)
+    FAIL(KIND_write, ENOSPC, -1)
     return syscall(SYS_write, file, bytes, size);
 }
 
 ssize_t send(int file, const void *bytes, size_t size, int flags) {
-    FAIL(KIND_WRITE, EIO, -1)
+    FAIL(KIND_write, EIO, -1)
     return syscall(SYS_sendto, file, bytes, size, flags, NULL, 0);
 }
 
 ssize_t sendmsg(int file, const struct msghdr *message, int flags) {
-    FAIL(KIND_WRITE, EIO, -1)
+    FAIL(KIND_write, EIO, -1)
     return syscall(SYS_sendmsg, file, message, flags);
 }
 
@@ -257,7 +256,7 @@ static void set_failed(FILE *stream) {
 }
 
 size_t fwrite(const void *bytes, size_t size, size_t count, FILE *stream) {
-    if (fails(KIND_WRITE, __builtin_return_address(0), ENOSPC)) {
+    if (fails(KIND_write, __builtin_return_address(0), ENOSPC)) {
         set_failed(stream);
         return 0;
     }
@@ -265,7 +264,7 @@ size_t fwrite(const void *bytes, size_t size, size_t count, FILE *stream) {
 }
 
 int fclose(FILE *stream) {
-    bool is_failing = fails(KIND_CLOSE, __builtin_return_address(0), ENOSPC);
+    bool is_failing = fails(KIND_close, __builtin_return_address(0), ENOSPC);
     int status = REAL(int, "fclose", FILE *)(stream);
     if (is_failing) {
         errno = ENOSPC;
@@ -274,79 +273,59 @@ int fclose(FILE *stream) {
 }
 
 int fflush(FILE *stream) {
-    FAIL(KIND_CLOSE, ENOSPC, EOF)
+    FAIL(KIND_close, ENOSPC, EOF)
     return REAL(int, "fflush", FILE *)(stream);
 }
 
 int fsync(int file) {
-    FAIL(KIND_SYNC, EIO, -1)
+    FAIL(KIND_sync, EIO, -1)
     return (int)syscall(SYS_fsync, file);
 }
 
-int fdatasync(int file) {
-    FAIL(KIND_SYNC, EIO, -1)
-    return (int)syscall(SYS_fdatasync, file);
-}
-
 int rename(const char *from, const char *to) {
-    FAIL(KIND_RENAME, EACCES, -1)
+    FAIL(KIND_rename, EACCES, -1)
     return (int)syscall(SYS_rename, from, to);
 }
 
 int renameat2(int from_folder, const char *from, int to_folder, const char *to,
               unsigned int flags) {
-    FAIL(KIND_RENAME, EACCES, -1)
+    FAIL(KIND_rename, EACCES, -1)
     return (int)syscall(SYS_renameat2, from_folder, from, to_folder, to, flags);
 }
 
 int link(const char *from, const char *to) {
-    FAIL(KIND_RENAME, EACCES, -1)
+    FAIL(KIND_rename, EACCES, -1)
     return (int)syscall(SYS_link, from, to);
 }
 
 // --- threads and processes -----------------------------------------------------------------------
 
 int pipe2(int ends[2], int flags) {
-    FAIL(KIND_PIPE, EMFILE, -1)
+    FAIL(KIND_pipe, EMFILE, -1)
     return (int)syscall(SYS_pipe2, ends, flags);
 }
 
-int pipe(int ends[2]) {
-    FAIL(KIND_PIPE, EMFILE, -1)
-    return (int)syscall(SYS_pipe2, ends, 0);
-}
-
 int socketpair(int domain, int type, int protocol, int ends[2]) {
-    FAIL(KIND_PIPE, EMFILE, -1)
+    FAIL(KIND_pipe, EMFILE, -1)
     return (int)syscall(SYS_socketpair, domain, type, protocol, ends);
 }
 
 int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
                    void *context) {
-    FAIL(KIND_THREAD, EAGAIN, EAGAIN)
+    FAIL(KIND_thread, EAGAIN, EAGAIN)
     return REAL(int, "pthread_create", pthread_t *, const pthread_attr_t *, void *(*)(void *),
                 void *)(thread, attributes, run, context);
 }
 
-int posix_spawn(pid_t *process, const char *path, const posix_spawn_file_actions_t *actions,
-                const posix_spawnattr_t *attributes, char *const arguments[],
-                char *const environment[]) {
-    FAIL(KIND_SPAWN, EAGAIN, EAGAIN)
-    return REAL(int, "posix_spawn", pid_t *, const char *, const posix_spawn_file_actions_t *,
-                const posix_spawnattr_t *, char *const *,
-                char *const *)(process, path, actions, attributes, arguments, environment);
-}
-
-int posix_spawnp(pid_t *process, const char *path, const posix_spawn_file_actions_t *actions,
-                 const posix_spawnattr_t *attributes, char *const arguments[],
-                 char *const environment[]) {
-    FAIL(KIND_SPAWN, EAGAIN, EAGAIN)
-    return REAL(int, "posix_spawnp", pid_t *, const char *, const posix_spawn_file_actions_t *,
-                const posix_spawnattr_t *, char *const *,
-                char *const *)(process, path, actions, attributes, arguments, environment);
-}
-
-pid_t fork(void) {
-    FAIL(KIND_SPAWN, EAGAIN, -1)
-    return REAL(pid_t, "fork", void)();
-}
+/** Defines a function of the C library that starts a process. */
+#define DEFINE_SPAWN(name)                                                                         \
+    int name(pid_t *process, const char *path, const posix_spawn_file_actions_t *actions,          \
+             const posix_spawnattr_t *attributes, char *const arguments[],                         \
+             char *const environment[]) {                                                          \
+        FAIL(KIND_spawn, EAGAIN, EAGAIN)                                                           \
+        return REAL(int, #name, pid_t *, const char *, const posix_spawn_file_actions_t *,         \
+                    const posix_spawnattr_t *, char *const *,                                      \
+                    char *const *)(process, path, actions, attributes, arguments, environment);    \
+    }
+DEFINE_SPAWN(posix_spawn)
+DEFINE_SPAWN(posix_spawnp)

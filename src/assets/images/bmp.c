@@ -285,13 +285,12 @@ static FILE *open_stream(int file, struct stat *info, Error *error) {
     return stream;
 }
 
-bool bmp_is_whole(int file) {
+bool bmp_is_whole(int file, off_t size) {
     struct stat info;
     BmpHeader header = {0};
     FILE *stream = open_stream(file, &info, NULL);
     bool is_whole = stream && read_header(stream, &header, NULL) &&
-                    check_pixel_format(&header, NULL) &&
-                    check_size(&header, (uint64_t)info.st_size, NULL);
+                    check_pixel_format(&header, NULL) && check_size(&header, (uint64_t)size, NULL);
     if (stream) {
         fclose(stream);
     }

@@ -23,8 +23,9 @@ bool bmp_write(const Picture *picture, FILE *stream, Error *error);
  * @return Whether a file is a BMP file that #bmp_read can read and that has all its pixels, by its
  *         header and its size.
  * @param file  Descriptor of the file; it stays open.
+ * @param size  Its size, bytes.
  */
-bool bmp_is_whole(int file);
+bool bmp_is_whole(int file, off_t size);
 
 /**
  * Reads an uncompressed BMP file of 24 or 32 bits per pixel, in either order of rows. The header is

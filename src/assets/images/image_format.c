@@ -4,7 +4,9 @@
  */
 #include "assets/images/image_format.h"
 
-#include "base/output_path.h"
+#include "assets/images/bmp.h"
+#include "assets/images/image_whole.h"
+#include "base/base_name.h"
 
 #include <string.h>
 #include <strings.h>
@@ -15,11 +17,11 @@
  * CVE-2023-24473).
  */
 static const ImageFormat formats[] = {
-    {.extension = "bmp"},
-    {.extension = "png", .plugin_name = "png"},
+    {.extension = "bmp", .is_whole = bmp_is_whole},
+    {.extension = "png", .plugin_name = "png", .is_whole = image_png_is_whole},
     {.extension = "exr", .plugin_name = "openexr", .is_linear = true},
-    {.extension = "jpg", .plugin_name = "jpeg"},
-    {.extension = "jpeg", .plugin_name = "jpeg"},
+    {.extension = "jpg", .plugin_name = "jpeg", .is_whole = image_jpeg_is_whole},
+    {.extension = "jpeg", .plugin_name = "jpeg", .is_whole = image_jpeg_is_whole},
     {.extension = "tif", .plugin_name = "tiff"},
     {.extension = "tiff", .plugin_name = "tiff"},
     {.extension = "hdr", .plugin_name = "hdr", .is_linear = true},
@@ -34,8 +36,7 @@ const ImageFormat *image_format_bmp(void) {
 }
 
 const ImageFormat *image_format_by_extension(const char *path) {
-    const char *name = path + output_path_dir_length(path);
-    const char *dot = strrchr(name, '.');
+    const char *dot = strrchr(base_name(path), '.');
     for (const ImageFormat *format = formats; dot && format->extension; format++) {
         if (strcasecmp(dot + 1, format->extension) == 0) {
             return format;

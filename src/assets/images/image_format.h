@@ -8,6 +8,7 @@
 #include "base/language.h"
 
 #include <stdbool.h>
+#include <sys/types.h>
 
 /** A format of picture files. */
 typedef struct ImageFormat {
@@ -15,6 +16,13 @@ typedef struct ImageFormat {
     const char *plugin_name; /**< Name in OpenImageIO; NULL: BMP, which needs no module. */
     bool is_linear;          /**< Whether it contains linear light instead of 8-bit codes. */
     bool is_read_only;       /**< Whether it is never written. */
+    /**
+     * Looks at the end of a file; NULL: only decoding tells.
+     * @param file  Descriptor of the file.
+     * @param size  Its size, bytes.
+     * @return Whether the file is whole.
+     */
+    bool (*is_whole)(int file, off_t size);
 } ImageFormat;
 
 /** The extensions of the formats that can be written, for messages. */

@@ -9,7 +9,6 @@
  */
 #include "assets/images/image_whole.h"
 
-#include "assets/images/bmp.h"
 #include "assets/images/image_file.h"
 #include "assets/images/image_format.h"
 #include "base/regular_file.h"
@@ -25,12 +24,7 @@ static bool has_bytes(int file, off_t offset, const void *bytes, size_t size) {
            memcmp(found, bytes, size) == 0;
 }
 
-/**
- * @return Whether the chunks of a PNG file fill it and end with IEND (ISO/IEC 15948, 5.3).
- * @param file  Descriptor of the file.
- * @param size  Its size, bytes.
- */
-static bool png_is_whole(int file, off_t size) {
+bool image_png_is_whole(int file, off_t size) {
     /** Bytes of the signature, of a chunk besides its data, and of length and type. */
     enum { SIGNATURE_SIZE = 8, CHUNK_OVERHEAD = 12, CHUNK_HEAD_SIZE = 8 };
     off_t offset = SIGNATURE_SIZE;
@@ -54,12 +48,7 @@ static bool png_is_whole(int file, off_t size) {
     return false;
 }
 
-/**
- * @return Whether a JPEG file begins and ends with its markers (ITU-T T.81, B.1.1.3).
- * @param file  Descriptor of the file.
- * @param size  Its size, bytes.
- */
-static bool jpeg_is_whole(int file, off_t size) {
+bool image_jpeg_is_whole(int file, off_t size) {
     return has_bytes(file, 0, "\xff\xd8", 2) && size >= 4 &&
            has_bytes(file, size - 2, "\xff\xd9", 2);
 }
@@ -79,11 +68,7 @@ bool image_file_is_whole(const char *path) {
     if (file < 0) {
         return false;
     }
-    const char *name = format->plugin_name ? format->plugin_name : "bmp";
-    bool is_whole = strcmp(name, "bmp") == 0    ? bmp_is_whole(file)
-                    : strcmp(name, "png") == 0  ? png_is_whole(file, info.st_size)
-                    : strcmp(name, "jpeg") == 0 ? jpeg_is_whole(file, info.st_size)
-                                                : can_be_read(path);
+    bool is_whole = format->is_whole ? format->is_whole(file, info.st_size) : can_be_read(path);
     close(file);
     return is_whole;
 }

@@ -6,6 +6,7 @@
 #define DIOPTRE_ASSETS_IMAGES_IMAGE_WHOLE_H
 
 #include <stdbool.h>
+#include <sys/types.h>
 
 /**
  * Checks whether a picture file is there and whole. BMP: the header promises no more bytes than
@@ -15,5 +16,13 @@
  * @return Whether it is; false also where it cannot be opened, or has no known extension.
  */
 bool image_file_is_whole(const char *path);
+
+/** @return Whether the chunks of a PNG file fill it and end with IEND (ISO/IEC 15948, 5.3). See
+ *          #ImageFormat.is_whole. */
+bool image_png_is_whole(int file, off_t size);
+
+/** @return Whether a JPEG file begins and ends with its markers (ITU-T T.81, B.1.1.3). See
+ *          #ImageFormat.is_whole. */
+bool image_jpeg_is_whole(int file, off_t size);
 
 #endif

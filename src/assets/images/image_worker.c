@@ -4,7 +4,8 @@
  */
 #include "assets/images/image_worker.h"
 
-#include "assets/process/worker_process.h"
+#include "assets/asset_failure.h"
+#include "base/language.h"
 #include "base/untrusted.h"
 
 #include <errno.h>
@@ -71,25 +72,13 @@ static WorkerReply call_kept_worker(const WorkerCall *call) {
 /** Sets the error of a worker without a picture. @return false, always. */
 static bool set_failure(const WorkerReply *reply, const ImageWorkerReport *report,
                         const ImageReadLimits *limits, Error *error) {
-    char reason[WORKER_REASON_SIZE];
-    if (worker_reply_start_failure(reply, reason)) {
-        return error_set(error, STATUS_FAILED, "no process for pictures: %s", reason);
-    }
-    if (reply->end == WORKER_TIMED_OUT && limits->is_time_shared && !reply->is_stalled) {
-        return asset_budget_set_time_error(error);
-    }
-    if (reply->end == WORKER_TIMED_OUT) {
-        return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read",
-                         limits->time_limit);
-    }
-    if (worker_reply_is_interrupted(reply)) {
-        return error_set(error, STATUS_INTERRUPTED, "interrupted");
-    }
-    if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return worker_error_set(error, &report->error);
-    }
-    return error_set(error, STATUS_SCENE, "it makes the libraries that read it crash (%s)",
-                     reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
+    const AssetFailure failure = {.reply = reply,
+                                  .reported = &report->error,
+                                  .time_limit = limits->time_limit,
+                                  .is_time_shared = limits->is_time_shared,
+                                  .no_process = N_("no process for pictures: %s"),
+                                  .crash = N_("it makes the libraries that read it crash (%s)")};
+    return asset_failure_set(&failure, error);
 }
 
 /**

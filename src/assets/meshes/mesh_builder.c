@@ -65,11 +65,6 @@ static Vec3d absolute(Vec3d v) {
     return (Vec3d){fabs(v.x), fabs(v.y), fabs(v.z)};
 }
 
-/** @return The larger coordinates of two vectors. */
-static Vec3d larger(Vec3d a, Vec3d b) {
-    return (Vec3d){fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
-}
-
 /** @return The sizes of the products in a cross product, added instead of subtracted. */
 static Vec3d cross_sizes(Vec3d a, Vec3d b) {
     return (Vec3d){a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
@@ -84,7 +79,7 @@ static Vec3d cross_sizes(Vec3d a, Vec3d b) {
  * vector is off by at most 6 u times the latter.
  */
 static bool has_area(Vec3d a, Vec3d b, Vec3d c) {
-    Vec3d size = larger(absolute(a), larger(absolute(b), absolute(c)));
+    Vec3d size = vec3d_max(absolute(a), vec3d_max(absolute(b), absolute(c)));
     Vec3d first = absolute(vec3d_subtract(b, a)), second = absolute(vec3d_subtract(c, a));
     Vec3d area = absolute(area_vector(a, b, c));
     Vec3d noise = vec3d_scale(cross_sizes(size, vec3d_add(first, second)), AREA_NOISE);

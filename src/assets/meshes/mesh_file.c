@@ -4,14 +4,14 @@
  */
 #include "assets/meshes/mesh_file.h"
 
+#include "assets/asset_failure.h"
 #include "assets/meshes/mesh_worker.h"
-#include "assets/process/worker_process.h"
+#include "base/base_name.h"
 #include "base/language.h"
 #include "base/regular_file.h"
 
 #include <libintl.h>
 #include <math.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -32,12 +32,6 @@ typedef struct MeshLoad {
     const MeshProgress *progress; /**< Callback; or NULL. */
 } MeshLoad;
 
-/** @return A file's name without its folder. */
-static const char *base_name_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /**
  * Finds the format of a file's extension, ignoring case.
  * @param path        The file.
@@ -45,7 +39,7 @@ static const char *base_name_of(const char *path) {
  * @return The extension in lower case; NULL: unknown.
  */
 static const char *find_extension(const char *path, Error *error) {
-    const char *dot = strrchr(base_name_of(path), '.');
+    const char *dot = strrchr(base_name(path), '.');
     for (int i = 0; dot && extensions[i]; i++) {
         if (strcasecmp(dot + 1, extensions[i]) == 0) {
             return extensions[i];
@@ -65,35 +59,16 @@ static void report_progress(void *context, double seconds, double fraction) {
     load->progress->report(load->progress->context, load->name, fraction, seconds);
 }
 
-/**
- * Sets the error of a worker without a mesh.
- * @param reply       The reply of the worker.
- * @param report      Its report.
- * @param seconds     The time limit.
- * @param is_shared   Whether it is what the budget of the scene had left.
- * @param[out] error  The error.
- * @return false, always.
- */
-static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double seconds,
-                        bool is_shared, Error *error) {
-    char reason[WORKER_REASON_SIZE];
-    if (worker_reply_start_failure(reply, reason)) {
-        return error_set(error, STATUS_FAILED, "no process to read a model in: %s", reason);
-    }
-    if (reply->end == WORKER_TIMED_OUT && is_shared && !reply->is_stalled) {
-        return asset_budget_set_time_error(error);
-    }
-    if (reply->end == WORKER_TIMED_OUT) {
-        return error_set(error, STATUS_SCENE, "it takes more than %.0f s to read", seconds);
-    }
-    if (worker_reply_is_interrupted(reply)) {
-        return error_set(error, STATUS_INTERRUPTED, "interrupted");
-    }
-    if (reply->end == WORKER_FINISHED && report->error.status != STATUS_OK) {
-        return worker_error_set(error, &report->error);
-    }
-    return error_set(error, STATUS_SCENE, "it makes the library that reads models crash (%s)",
-                     reply->detail ? strsignal(reply->detail) : gettext("it ended early"));
+/** Sets the error of a worker without a mesh; see #AssetFailure. @return false, always. */
+static bool set_failure(const WorkerReply *reply, const MeshWorkerReport *report, double time_limit,
+                        bool is_time_shared, Error *error) {
+    const AssetFailure failure = {.reply = reply,
+                                  .reported = &report->error,
+                                  .time_limit = time_limit,
+                                  .is_time_shared = is_time_shared,
+                                  .no_process = N_("no process to read a model in: %s"),
+                                  .crash = N_("it makes the library that reads models crash (%s)")};
+    return asset_failure_set(&failure, error);
 }
 
 /**
@@ -162,7 +137,7 @@ static Mesh *read_open_file(MeshLoad *load, Error *error) {
 bool mesh_file_read(const AssetFile *file, AssetBudget *budget, const MeshProgress *progress,
                     Mesh **mesh, Error *error) {
     *mesh = NULL;
-    MeshLoad load = {.name = base_name_of(file->path),
+    MeshLoad load = {.name = base_name(file->path),
                      .extension = find_extension(file->path, error),
                      .file = file,
                      .budget = budget,

@@ -140,6 +140,7 @@ enum {
 typedef enum {
     CONDITION_NONE,     /**< None. */
     CONDITION_EQUAL,    /**< It equals #FilterRule.value. */
+    CONDITION_SELF,     /**< It is this process. */
     CONDITION_HAS_BIT,  /**< It has the bit. */
     CONDITION_LACKS_BIT /**< It lacks the bit. */
 } FilterCondition;
@@ -189,8 +190,10 @@ static void filter_add_rule(Filter *filter, const FilterRule *rule) {
     if (is_conditional) {
         filter_load(filter, offsetof(struct seccomp_data, args) +
                                 sizeof(uint64_t) * (size_t)rule->argument);
+        bool is_self = rule->condition == CONDITION_SELF;
+        bool is_equal = is_self || rule->condition == CONDITION_EQUAL;
         bool is_reversed = rule->condition == CONDITION_LACKS_BIT;
-        filter_add(filter, rule->condition == CONDITION_EQUAL ? equal : has_bit, rule->value,
+        filter_add(filter, is_equal ? equal : has_bit, is_self ? (uint32_t)getpid() : rule->value,
                    is_reversed, !is_reversed);
     }
     filter_return(filter, rule->action);
@@ -209,13 +212,108 @@ static void filter_add_rule(Filter *filter, const FilterRule *rule) {
         .otherwise = otherwise_                                                                    \
     }
 
+/** The rules of a worker; the first ones are the fastest. */
+static const FilterRule rules[] = {
+    // Threads, memory, the file of the request, the socket.
+    CALL(futex, ALLOW),
+    CALL(read, ALLOW),
+    CALL(pread64, ALLOW),
+    CALL(lseek, ALLOW),
+    CALL_IF(mmap, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
+    CALL_IF(mprotect, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
+    CALL(munmap, ALLOW),
+    CALL(mremap, ALLOW),
+    CALL(madvise, ALLOW),
+    CALL(brk, ALLOW),
+    CALL_IF(sendto, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+    CALL_IF(recvfrom, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+    CALL_IF(recvmsg, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
+    CALL(close, ALLOW),
+    CALL(dup, ALLOW),
+    CALL_IF(fcntl, 1, CONDITION_EQUAL, F_GETFL, NOT_PERMITTED),
+    // The streams, which lead to /dev/null; no file is open for writing.
+    CALL(write, ALLOW),
+    CALL(writev, ALLOW),
+    // Of descriptors. newfstatat takes paths, too, which a filter cannot read. The C library calls
+    // it for the size of a buffer, and has a default.
+    CALL(fstat, ALLOW),
+    CALL(newfstatat, DENY),
+    CALL(clock_gettime, ALLOW),
+    CALL(clock_getres, ALLOW),
+    CALL(gettimeofday, ALLOW),
+    CALL(clock_nanosleep, ALLOW),
+    CALL(nanosleep, ALLOW),
+    CALL(getrandom, ALLOW),
+    CALL(sysinfo, ALLOW),
+    CALL(getrusage, ALLOW),
+    // Limits of this process only, for the next request.
+    CALL_IF(prlimit64, 0, CONDITION_EQUAL, 0, NOT_PERMITTED),
+    // Signals of this process only: abort.
+    CALL(rt_sigaction, ALLOW),
+    CALL(rt_sigprocmask, ALLOW),
+    CALL(rt_sigreturn, ALLOW),
+    CALL(sigaltstack, ALLOW),
+    CALL(restart_syscall, ALLOW),
+    CALL_IF(tgkill, 0, CONDITION_SELF, 0, KILL),
+    CALL_IF(kill, 0, CONDITION_SELF, 0, KILL),
+    // Threads of this process only; with clone3 the flags are out of the filter's sight.
+    CALL_IF(clone, 0, CONDITION_HAS_BIT, CLONE_THREAD, KILL),
+    CALL(clone3, UNKNOWN),
+    CALL(set_robust_list, ALLOW),
+    CALL(rseq, ALLOW),
+    CALL(sched_yield, ALLOW),
+    CALL(sched_getaffinity, ALLOW),
+    CALL(getpid, ALLOW),
+    CALL(gettid, ALLOW),
+    CALL(exit, ALLOW),
+    CALL(exit_group, ALLOW),
+    // Files by name.
+    CALL(openat, DENY),
+    CALL(openat2, DENY),
+    CALL(faccessat, DENY),
+    CALL(readlinkat, DENY),
+#ifdef SYS_open
+    CALL(open, DENY),
+    CALL(creat, DENY),
+    CALL(stat, DENY),
+    CALL(lstat, DENY),
+    CALL(access, DENY),
+    CALL(readlink, DENY),
+#endif
+    // What nobody does who decodes a file: network, programs, processes, other processes.
+    CALL(socket, KILL),
+    CALL(socketpair, KILL),
+    CALL(connect, KILL),
+    CALL(bind, KILL),
+    CALL(listen, KILL),
+    CALL(accept, KILL),
+    CALL(accept4, KILL),
+    CALL(sendmsg, KILL),
+    CALL(execve, KILL),
+    CALL(execveat, KILL),
+#ifdef SYS_fork
+    CALL(fork, KILL),
+    CALL(vfork, KILL),
+#endif
+    CALL(ptrace, KILL),
+    CALL(process_vm_readv, KILL),
+    CALL(process_vm_writev, KILL),
+    CALL(tkill, KILL),
+    CALL(rt_sigqueueinfo, KILL),
+    CALL(rt_tgsigqueueinfo, KILL),
+    CALL(pidfd_send_signal, KILL),
+    CALL(io_uring_setup, KILL),
+    CALL(bpf, KILL),
+    CALL(unshare, KILL),
+    CALL(setns, KILL),
+    CALL(mount, KILL),
+};
+
 /**
  * Writes the filter of this process.
- * @param rules  The rules; the first ones are the fastest.
  * @return Number of instructions.
  */
-static size_t write_filter(struct sock_filter *instructions, const FilterRule *rules,
-                           size_t count) {
+static size_t write_filter(struct sock_filter *instructions) {
     Filter filter = {instructions};
     filter_load(&filter, offsetof(struct seccomp_data, arch));
     filter_add(&filter, BPF_JMP | BPF_JEQ | BPF_K, FILTER_ARCHITECTURE, 1, 0);
@@ -223,7 +321,7 @@ static size_t write_filter(struct sock_filter *instructions, const FilterRule *r
     filter_load(&filter, offsetof(struct seccomp_data, nr));
     filter_add(&filter, BPF_JMP | BPF_JGE | BPF_K, X32_CALLS, 0, 1);
     filter_return(&filter, KILL);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
         filter_add_rule(&filter, &rules[i]);
     }
     filter_return(&filter, UNKNOWN);
@@ -231,119 +329,12 @@ static size_t write_filter(struct sock_filter *instructions, const FilterRule *r
 }
 
 /** Asks the kernel to filter the calls of all threads. @return Whether it does. */
-static bool install(const FilterRule *rules, size_t count) {
-    size_t capacity = FRAME_INSTRUCTIONS + count * RULE_INSTRUCTIONS;
-    struct sock_filter *instructions = malloc(capacity * sizeof *instructions);
-    if (!instructions) {
-        return false;
-    }
-    const struct sock_fprog program = {
-        .len = (unsigned short)write_filter(instructions, rules, count), .filter = instructions};
-    bool is_installed =
-        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
-    free(instructions);
-    return is_installed;
-}
-
-/** Builds the rules and installs them. @return Whether the kernel did. */
 static bool install_filter(void) {
-    const uint32_t self = (uint32_t)getpid();
-    const FilterRule rules[] = {
-        // Threads, memory, the file of the request, the socket.
-        CALL(futex, ALLOW),
-        CALL(read, ALLOW),
-        CALL(pread64, ALLOW),
-        CALL(lseek, ALLOW),
-        CALL_IF(mmap, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
-        CALL_IF(mprotect, 2, CONDITION_LACKS_BIT, PROT_EXEC, NOT_PERMITTED),
-        CALL(munmap, ALLOW),
-        CALL(mremap, ALLOW),
-        CALL(madvise, ALLOW),
-        CALL(brk, ALLOW),
-        CALL_IF(sendto, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
-        CALL_IF(recvfrom, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
-        CALL_IF(recvmsg, 0, CONDITION_EQUAL, WORKER_SOCKET, KILL),
-        CALL(close, ALLOW),
-        CALL(dup, ALLOW),
-        CALL_IF(fcntl, 1, CONDITION_EQUAL, F_GETFL, NOT_PERMITTED),
-        // The streams, which lead to /dev/null; no file is open for writing.
-        CALL(write, ALLOW),
-        CALL(writev, ALLOW),
-        // Of descriptors. Its younger sister takes paths, too, which a filter cannot look at; the C
-        // library, which asks it for the size of a buffer, does without an answer.
-        CALL(fstat, ALLOW),
-        CALL(newfstatat, DENY),
-        CALL(clock_gettime, ALLOW),
-        CALL(clock_getres, ALLOW),
-        CALL(gettimeofday, ALLOW),
-        CALL(clock_nanosleep, ALLOW),
-        CALL(nanosleep, ALLOW),
-        CALL(getrandom, ALLOW),
-        CALL(sysinfo, ALLOW),
-        CALL(getrusage, ALLOW),
-        // Limits of this process only, for the next request.
-        CALL_IF(prlimit64, 0, CONDITION_EQUAL, 0, NOT_PERMITTED),
-        // Signals of this process only: abort.
-        CALL(rt_sigaction, ALLOW),
-        CALL(rt_sigprocmask, ALLOW),
-        CALL(rt_sigreturn, ALLOW),
-        CALL(sigaltstack, ALLOW),
-        CALL(restart_syscall, ALLOW),
-        CALL_IF(tgkill, 0, CONDITION_EQUAL, self, KILL),
-        CALL_IF(kill, 0, CONDITION_EQUAL, self, KILL),
-        // Threads of this process only; with clone3 the flags are out of the filter's sight.
-        CALL_IF(clone, 0, CONDITION_HAS_BIT, CLONE_THREAD, KILL),
-        CALL(clone3, UNKNOWN),
-        CALL(set_robust_list, ALLOW),
-        CALL(rseq, ALLOW),
-        CALL(sched_yield, ALLOW),
-        CALL(sched_getaffinity, ALLOW),
-        CALL(getpid, ALLOW),
-        CALL(gettid, ALLOW),
-        CALL(exit, ALLOW),
-        CALL(exit_group, ALLOW),
-        // Files by name.
-        CALL(openat, DENY),
-        CALL(openat2, DENY),
-        CALL(faccessat, DENY),
-        CALL(readlinkat, DENY),
-#ifdef SYS_open
-        CALL(open, DENY),
-        CALL(creat, DENY),
-        CALL(stat, DENY),
-        CALL(lstat, DENY),
-        CALL(access, DENY),
-        CALL(readlink, DENY),
-#endif
-        // What nobody does who decodes a file: network, programs, processes, other processes.
-        CALL(socket, KILL),
-        CALL(socketpair, KILL),
-        CALL(connect, KILL),
-        CALL(bind, KILL),
-        CALL(listen, KILL),
-        CALL(accept, KILL),
-        CALL(accept4, KILL),
-        CALL(sendmsg, KILL),
-        CALL(execve, KILL),
-        CALL(execveat, KILL),
-#ifdef SYS_fork
-        CALL(fork, KILL),
-        CALL(vfork, KILL),
-#endif
-        CALL(ptrace, KILL),
-        CALL(process_vm_readv, KILL),
-        CALL(process_vm_writev, KILL),
-        CALL(tkill, KILL),
-        CALL(rt_sigqueueinfo, KILL),
-        CALL(rt_tgsigqueueinfo, KILL),
-        CALL(pidfd_send_signal, KILL),
-        CALL(io_uring_setup, KILL),
-        CALL(bpf, KILL),
-        CALL(unshare, KILL),
-        CALL(setns, KILL),
-        CALL(mount, KILL),
-    };
-    return install(rules, sizeof rules / sizeof *rules);
+    struct sock_filter
+        instructions[FRAME_INSTRUCTIONS + RULE_INSTRUCTIONS * (sizeof rules / sizeof *rules)];
+    const struct sock_fprog program = {.len = (unsigned short)write_filter(instructions),
+                                       .filter = instructions};
+    return syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
 }
 
 #else

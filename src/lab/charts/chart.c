@@ -8,7 +8,7 @@
  */
 #include "lab/charts/chart.h"
 
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/scaled_tolerance.h"
 #include "lab/score_stats.h"
@@ -104,8 +104,7 @@ static void offsets_add(ChartMeasurement *measure) {
 /** Adds depths. */
 static void depths_add(ChartMeasurement *measure) {
     static const int depths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64};
-    bool is_recursive =
-        scene_has_reflection(measure->scene) || scene_has_transparency(measure->scene);
+    bool is_recursive = scene_has_secondary_rays(measure->scene);
     for (size_t i = 0; is_recursive && i < sizeof depths / sizeof *depths; i++) {
         char label[CHART_LABEL_SIZE];
         snprintf(label, sizeof label, "depth %d", depths[i]);
@@ -116,8 +115,7 @@ static void depths_add(ChartMeasurement *measure) {
 /** Adds cutoffs. */
 static void cutoffs_add(ChartMeasurement *measure) {
     static const double cutoffs[] = {16, 4, 1, CUTOFF_DEFAULT, CUTOFF_DEFAULT / 16};
-    bool is_recursive =
-        scene_has_reflection(measure->scene) || scene_has_transparency(measure->scene);
+    bool is_recursive = scene_has_secondary_rays(measure->scene);
     for (size_t i = 0; is_recursive && i < sizeof cutoffs / sizeof *cutoffs; i++) {
         char label[CHART_LABEL_SIZE];
         snprintf(label, sizeof label, "cutoff %.3g", cutoffs[i]);

@@ -7,7 +7,7 @@
 #include "base/language.h"
 #include "lab/charts/csv.h"
 #include "lab/charts/gnuplot.h"
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 #include "lab/charts/plot.h"
 #include "lab/charts/table.h"
 

@@ -10,7 +10,8 @@
 #include "base/atomic_file.h"
 #include "base/language.h"
 #include "base/utf8.h"
-#include "render/ray_drawing.h"
+#include "render/ray_formula.h"
+#include "render/ray_pane.h"
 
 #include <cairo-svg.h>
 #include <libintl.h>
@@ -19,6 +20,12 @@
 
 /** Size of the drawing: its units are the pixels of the outlines. */
 enum { WIDTH = 1000, HEIGHT = 750 };
+/** Width of the plan and the view from the side, beside the drawing; height of what is below. */
+enum { PLAN_WIDTH = 500, BELOW_HEIGHT = 360 };
+/** Height of letters beside and below the drawing. */
+static const double TEXT_SIZE = 15;
+/** Letters of a line of formulas. */
+enum { LINE_LETTERS = 110 };
 /** Units of a pixel of the greys. */
 enum { GREY_CELL = 2 };
 /** Size of the greys. */
@@ -64,14 +71,15 @@ static bool background_trace(const Engine *engine, Tracer *tracer, const Scene *
 
 /**
  * Makes a background.
+ * @param scene  What is left of the scene.
  * @param[out] background  It; to be released also where anything is wrong.
  * @return false if anything is wrong.
  */
-static bool background_init(const RayChart *chart, const SceneCamera *camera,
+static bool background_init(const RayChart *chart, const Scene *scene, const SceneCamera *camera,
                             Background *background, Error *error) {
     // The fastest engine is accurate enough for it; the rays are the chosen engine's.
     const Engine *engine = engine_find("auto", error);
-    Scene side = *chart->scene;
+    Scene side = *scene;
     side.camera = *camera;
     TraceSettings trace = chart->settings->trace;
     trace.samples = 1;
@@ -187,27 +195,99 @@ static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsi
                                                       : CAIRO_STATUS_WRITE_ERROR;
 }
 
-/** Draws everything as SVG. @param title Printable. @return Whether cairo could do it. */
-static bool draw_svg(const RayChart *chart, const OrbitCamera *orbit, const char *title,
-                     FILE *stream, Error *error) {
+/** Writes a formula below the last line, broken at spaces. @param[in,out] y Its base line. */
+static void draw_formula(cairo_t *cairo, const RayFormula *formula, double *y) {
+    char line[RAY_FORMULA_LABEL_SIZE + RAY_FORMULA_TEXT_SIZE + 2];
+    int length = snprintf(line, sizeof line, "%s  %s", formula->label, formula->text);
+    for (char *start = line, *end = line + length; start < end;) {
+        char *stop = end - start > LINE_LETTERS ? start + LINE_LETTERS : end;
+        while (stop < end && stop > start + 1 && *stop != ' ') {
+            stop--;
+        }
+        *stop = '\0';
+        cairo_move_to(cairo, start == line ? TEXT_SIZE : 3 * TEXT_SIZE, *y);
+        cairo_show_text(cairo, start);
+        *y += 1.4 * TEXT_SIZE;
+        start = stop + 1;
+    }
+}
+
+/** Draws the formulas of the chosen ray and its sum, from the origin of the target. */
+static void draw_formulas(cairo_t *cairo, const RayChart *chart) {
+    const RayFormulaInput input = {chart->scene, chart->probe, chart->settings->trace.methods == 0};
+    RayFormulas formulas;
+    double y = 2 * TEXT_SIZE;
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, TEXT_SIZE);
+    cairo_set_source_rgb(cairo, 0, 0, 0);
+    ray_formulas_write(&input, chart->selected, &formulas);
+    for (size_t i = 0; i < formulas.count; i++) {
+        draw_formula(cairo, &formulas.items[i], &y);
+    }
+    y += TEXT_SIZE / 2;
+    ray_sum_write(&input, chart->selected, &formulas);
+    for (size_t i = 0; i < formulas.count; i++) {
+        draw_formula(cairo, &formulas.items[i], &y);
+    }
+}
+
+/** Draws plan and view from the side beside the drawing, and below what belongs to a chosen ray. */
+static void draw_panes(const RayChart *chart, const RayDrawing *drawing) {
+    cairo_t *cairo = drawing->cairo;
+    RayPaneInput pane = {chart->renderer, chart->scene, chart->settings->engine, *drawing,
+                         TEXT_SIZE};
+    cairo_save(cairo);
+    cairo_translate(cairo, WIDTH, 0);
+    ray_pane_draw(RAY_PANE_PLAN, &pane, PLAN_WIDTH, HEIGHT);
+    cairo_restore(cairo);
+    if (chart->selected < chart->probe->count) {
+        bool marches = chart->probe->nodes[chart->selected].step_count > 0;
+        cairo_save(cairo);
+        cairo_translate(cairo, 0, HEIGHT);
+        draw_formulas(cairo, chart);
+        cairo_translate(cairo, WIDTH, 0);
+        ray_pane_draw(marches ? RAY_PANE_MARCH : RAY_PANE_MICROSCOPE, &pane, PLAN_WIDTH,
+                      BELOW_HEIGHT);
+        cairo_restore(cairo);
+    }
+}
+
+/** Draws the rays over the scene. */
+static void draw_rays(const RayChart *chart, const RayDrawing *drawing, const char *title) {
+    cairo_save(drawing->cairo);
+    cairo_rectangle(drawing->cairo, 0, 0, WIDTH, HEIGHT);
+    cairo_clip(drawing->cairo);
+    ray_drawing_rays(drawing);
+    ray_drawing_march(drawing);
+    ray_drawing_numbers(drawing);
+    draw_marks(drawing, chart->scene);
+    ray_drawing_legend(drawing);
+    ray_drawing_text(drawing, 20, 30, title);
+    cairo_restore(drawing->cairo);
+}
+
+/** Draws everything as SVG. @param scene What is left of the scene. @param title Printable. @return
+ * Whether cairo could do it. */
+static bool draw_svg(const RayChart *chart, const Scene *scene, const OrbitCamera *orbit,
+                     const char *title, FILE *stream, Error *error) {
     ProjectedView view = orbit_camera_project(orbit, WIDTH, HEIGHT);
+    const int height = HEIGHT + (chart->selected < chart->probe->count ? BELOW_HEIGHT : 0);
     Background background;
-    bool is_drawn = background_init(chart, &view.camera, &background, error);
+    bool is_drawn = background_init(chart, scene, &view.camera, &background, error);
     if (is_drawn) {
         cairo_surface_t *surface =
-            cairo_svg_surface_create_for_stream(write_bytes, stream, WIDTH, HEIGHT);
+            cairo_svg_surface_create_for_stream(write_bytes, stream, WIDTH + PLAN_WIDTH, height);
         cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
         RayDrawing drawing = {.cairo = cairo_create(surface),
                               .tree = chart->probe,
                               .orbit = orbit,
                               .view = view,
-                              .selected = RAY_DRAWING_UNSELECTED};
+                              .selected = chart->selected};
+        cairo_set_source_rgb(drawing.cairo, 1, 1, 1);
+        cairo_paint(drawing.cairo);
         draw_background(drawing.cairo, &background);
-        ray_drawing_rays(&drawing);
-        ray_drawing_numbers(&drawing);
-        draw_marks(&drawing, chart->scene);
-        ray_drawing_legend(&drawing);
-        ray_drawing_text(&drawing, 20, 30, title);
+        draw_rays(chart, &drawing, title);
+        draw_panes(chart, &drawing);
         cairo_surface_finish(surface);
         is_drawn = cairo_status(drawing.cairo) == CAIRO_STATUS_SUCCESS ||
                    error_set(error, STATUS_FAILED, "no memory for the drawing");
@@ -268,14 +348,20 @@ static void copy_printable(const char *text, char *copy, size_t size) {
 }
 
 bool ray_chart_write(const RayChart *chart, const char *path, Error *error) {
+    CutAway cut = {0};
+    cut_away_begin(&cut, chart->scene, chart->probe);
     OrbitCamera orbit =
-        orbit_camera_fit(chart->renderer, &chart->scene->camera, chart->probe, WIDTH, HEIGHT);
+        orbit_camera_fit(chart->renderer, chart->scene, &cut, chart->probe, WIDTH, HEIGHT);
+    ProjectedView view = orbit_camera_project(&orbit, WIDTH, HEIGHT);
+    cut_away_update(&cut, chart->renderer, chart->scene, chart->probe, view.camera.position);
+    const Scene left = cut_away_scene(&cut, chart->scene);
     char *svg = NULL, title[512];
     size_t size = 0;
     AtomicFile file;
     copy_printable(chart->title, title, sizeof title);
     FILE *stream = open_memstream(&svg, &size);
-    bool is_drawn = stream && draw_svg(chart, &orbit, title, stream, error);
+    bool is_drawn = stream && draw_svg(chart, &left, &orbit, title, stream, error);
+    cut_away_deinit(&cut);
     if (!stream || (fclose(stream) != 0 && is_drawn)) {
         is_drawn = error_set(error, STATUS_FAILED, "no memory for the drawing");
     }

@@ -7,6 +7,9 @@
 
 #include "render/orbit_camera.h"
 
+/** In place of the index of a chosen ray: there is none. */
+#define RAY_CHART_NO_RAY SIZE_MAX
+
 /** What is drawn. */
 typedef struct RayChart {
     const Scene *scene;             /**< The scene. */
@@ -14,10 +17,13 @@ typedef struct RayChart {
     const Renderer *renderer;       /**< The renderer that traced it. */
     const RayTree *probe;           /**< The rays, at least one. */
     const char *title;              /**< Drawn above it. */
+    size_t selected;                /**< Index of the chosen ray; #RAY_CHART_NO_RAY: none. */
 } RayChart;
 
 /**
- * Draws the rays over a faint drawing of the scene.
+ * Draws the rays over a faint drawing of the scene, with a plan and a view from the side beside it.
+ * If a ray is chosen, all others are dim; below are its formulas, and its march or its hit under
+ * the microscope.
  * @param path        The file to write; an old one stays whole until the new one is.
  * @param[out] error  What is wrong.
  * @return Whether the file is written.

@@ -430,7 +430,7 @@ static bool refine_reference(NeedsSearch *search, Error *error) {
 bool needs_find(const Scene *scene, const NeedsRequest *request, Needs *needs, Error *error) {
     *needs = (Needs){.forecast = precision_estimate_of(scene),
                      .error_steps = request->error_steps,
-                     .is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene),
+                     .is_recursive = scene_has_secondary_rays(scene),
                      .has_sdf = scene_has_tolerances(scene),
                      .asked_samples = request->samples,
                      .scene_depth = request->depth};

@@ -16,8 +16,12 @@
  *  is far below a pixel under the horizon. */
 #define PLANE_REACH 1e4
 
-/** Largest number of vertices of meshes that are compared with faces: about 5 ms. */
+/** Largest number of vertices of meshes that are compared with faces: about 5 ms. Later meshes are
+ *  not seen. */
 enum { VERTICES_MAXIMUM = 1 << 22 };
+
+/** Number of vertices of a mesh above which only a part is compared with a face. */
+enum { MESH_VERTICES_COMPARED = 1 << 19 };
 
 /** Number of triangles of a mesh near a face above which only a part is compared: about 2 ms. */
 enum { TRIANGLES_COMPARED = 1 << 12 };
@@ -90,7 +94,7 @@ static bool face_is_seen(const Search *search, const ShapeFace *face) {
     for (int i = 0; i < 8 && search->has_secondary; i++) {
         highest = fmax(highest, height_above(face, aabbd_corner(&search->centers, i)));
     }
-    double magnitude = magnitude_of(search, face->corners[0]);
+    double magnitude = magnitude_from(search->origin, face->corners[0]);
     return !face->is_solid || highest > gap_bound((GapScale){.magnitude = magnitude});
 }
 
@@ -216,10 +220,11 @@ static void compare_faces(Search *search, const FacePair *pair) {
         return;
     }
     Polygon overlap = polygon_of_face(search, b);
-    double magnitude = 0, farthest = 0, plane_magnitude = magnitude_of(search, a->corners[0]);
+    double magnitude = 0, farthest = 0,
+           plane_magnitude = magnitude_from(search->origin, a->corners[0]);
     polygon_clip_by_face(&overlap, a);
     for (int i = 0; i < overlap.count; i++) {
-        magnitude = fmax(magnitude, magnitude_of(search, overlap.corners[i]));
+        magnitude = fmax(magnitude, magnitude_from(search->origin, overlap.corners[i]));
         farthest = fmax(farthest, fabs(height_above(a, overlap.corners[i])));
     }
     double height = fabs(height_above(a, search->scene->camera.position));
@@ -248,7 +253,7 @@ double shape_gap_bound(const Search *search, const Aabbd *box) {
         double from_start = farthest_distance(&search->secondary, center) + vec3d_length(half);
         distance = fmax(distance, from_start);
     }
-    double magnitude = magnitude_of(search, center) + vec3d_max_abs(half);
+    double magnitude = magnitude_from(search->origin, center) + vec3d_max_abs(half);
     return gap_bound((GapScale){distance, distance, magnitude, search->has_glass});
 }
 
@@ -333,13 +338,15 @@ static void compare_triangle(Search *search, const SceneShape *shape, const Mesh
 static void compare_mesh_with_face(Search *search, const SceneShape *shape, const Mesh *mesh,
                                    const FacePair *pair) {
     MeshPlane plane = mesh_plane_of(pair->faces[0], shape->transform);
-    size_t near = 0;
-    search->vertices += mesh->position_count;
-    for (size_t i = 0; i < mesh->position_count && search->vertices <= VERTICES_MAXIMUM; i++) {
-        near += vertex_is_near(mesh, i, &plane, pair->bound);
+    size_t near = 0, stride = 1 + mesh->position_count / MESH_VERTICES_COMPARED;
+    for (size_t i = 0; i < mesh->position_count && search->vertices < VERTICES_MAXIMUM;
+         i += stride) {
+        near += stride * vertex_is_near(mesh, i, &plane, pair->bound);
+        search->vertices++;
     }
     // A closed mesh has twice as many triangles as vertices.
-    const size_t step = 1 + 2 * near / TRIANGLES_COMPARED;
+    const size_t wanted = 1 + 2 * near / TRIANGLES_COMPARED,
+                 step = wanted > stride ? wanted : stride;
     FacePair weighted = *pair;
     weighted.weight = (double)step;
     for (size_t i = 0; i < mesh->triangle_count && near >= 3; i += step) {

@@ -4,7 +4,8 @@
  *
  * Shapes are divided along the longest side of their box again and again, and groups whose boxes do
  * not overlap are not compared: for n shapes, n log n boxes instead of n squared. Spheres fight
- * only if their boxes are nearly the same, so these are sorted.
+ * only if their boxes are nearly the same, so these are sorted. Where shapes stand so that this
+ * does not help, #Z_FIGHTING_PAIRS_MAXIMUM ends the search.
  */
 #include "render/z_fighting/search.h"
 
@@ -13,9 +14,6 @@
 
 /** Number of boxes that are compared without further division. */
 enum { LEAF_BOXES = 16 };
-
-/** Largest number of pairs of boxes that are compared, about 5 ms. Later pairs are not seen. */
-enum { BOX_PAIRS_MAXIMUM = 1 << 20 };
 
 /** Difference of two spheres' boxes, in bounds, from which on they fight in a thin ring only. */
 #define SPHERES_APART 256
@@ -29,9 +27,8 @@ static bool boxes_touch_in_edge(const Aabbd *a, const Aabbd *b, double bound) {
 
 /** Compares two bounded shapes. */
 static void compare_shapes(Search *search, const BoundedShape *a, const BoundedShape *b) {
-    search->box_pairs++;
     // Both boxes are enlarged by their bounds on each side.
-    if (!aabbd_overlaps(&a->box, &b->box) ||
+    if (!search_begin_pair(search) || !aabbd_overlaps(&a->box, &b->box) ||
         boxes_touch_in_edge(&a->box, &b->box, 3 * (a->bound + b->bound)) ||
         search->shape_pairs++ >= SHAPE_PAIRS_MAXIMUM) {
         return;
@@ -99,7 +96,7 @@ static void compare_groups(Search *search, BoundedShape *a, size_t count_a, Boun
     Aabbd bounds_a = shapes_bounds(a, count_a), bounds_b = shapes_bounds(b, count_b);
     count_a = move_to_front(a, count_a, &bounds_b);
     count_b = move_to_front(b, count_b, &bounds_a);
-    if (count_a == 0 || count_b == 0 || search->box_pairs >= BOX_PAIRS_MAXIMUM) {
+    if (count_a == 0 || count_b == 0 || search->result.pairs >= Z_FIGHTING_PAIRS_MAXIMUM) {
         return;
     }
     if (count_a <= LEAF_BOXES && count_b <= LEAF_BOXES) {
@@ -132,24 +129,41 @@ void compare_group(Search *search, BoundedShape *shapes, size_t count) {
     }
 }
 
-/** Orders shapes by the lowest x of their boxes, for qsort(). */
-static int compare_low_x(const void *a, const void *b) {
-    double x = ((const BoundedShape *)a)->box.low.x, y = ((const BoundedShape *)b)->box.low.x;
+/** A direction aslant to the rows and walls in which spheres may stand: along it, spheres of
+ *  different places have different positions. */
+static const Vec3d aslant = {1, 0.7548776662466927, 0.5698402909980532};
+
+/** @return The position of a shape: that of its box's lowest corner along #aslant. */
+static double aslant_position(const BoundedShape *shape) {
+    return vec3d_dot(shape->box.low, aslant);
+}
+
+/** Orders shapes by their positions, for qsort(). */
+static int compare_positions(const void *a, const void *b) {
+    double x = aslant_position(a), y = aslant_position(b);
     return (x > y) - (x < y);
 }
 
+/** Compares two spheres if their boxes are nearly the same. @param reach Largest difference. */
+static void compare_sphere_pair(Search *search, const BoundedShape *a, const BoundedShape *b,
+                                double reach) {
+    Vec3d low = vec3d_subtract(a->box.low, b->box.low),
+          high = vec3d_subtract(a->box.high, b->box.high);
+    if (vec3d_max_abs(low) <= reach && vec3d_max_abs(high) <= reach &&
+        search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM) {
+        compare_shells(search, a->shape, b->shape, a->bound);
+    }
+}
+
 void compare_spheres(Search *search, BoundedShape *spheres, size_t count) {
-    qsort(spheres, count, sizeof *spheres, compare_low_x);
+    qsort(spheres, count, sizeof *spheres, compare_positions);
     for (size_t i = 0; i < count; i++) {
         const BoundedShape *a = &spheres[i], *end = spheres + count;
         double reach = SPHERES_APART * a->bound;
-        for (const BoundedShape *b = a + 1; b < end && b->box.low.x - a->box.low.x <= reach; b++) {
-            Vec3d low = vec3d_subtract(a->box.low, b->box.low),
-                  high = vec3d_subtract(a->box.high, b->box.high);
-            if (search->box_pairs++ < BOX_PAIRS_MAXIMUM && vec3d_max_abs(low) <= reach &&
-                vec3d_max_abs(high) <= reach && search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM) {
-                compare_shells(search, a->shape, b->shape, a->bound);
-            }
+        double last = aslant_position(a) + reach * (aslant.x + aslant.y + aslant.z);
+        for (const BoundedShape *b = a + 1;
+             b < end && aslant_position(b) <= last && search_begin_pair(search); b++) {
+            compare_sphere_pair(search, a, b, reach);
         }
     }
 }
@@ -165,9 +179,8 @@ void compare_plane_with_shapes(Search *search, const SceneShape *shape, const Bo
                                size_t count) {
     ShapeFace plane;
     scene_shape_faces(shape, &plane);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && search_begin_pair(search); i++) {
         const BoundedShape *other = &shapes[i];
-        search->box_pairs++;
         if (!aabbd_touches_plane(&other->box, &plane) ||
             search->shape_pairs++ >= SHAPE_PAIRS_MAXIMUM) {
             continue;

@@ -7,7 +7,8 @@
 
 #include "dioptre/scene.h"
 
-/** Largest number of corners of a clipped face: each of the 8 + 2 + 4 + 2 clips adds one. */
+/** Largest number of corners of a clipped face: 8 of its own, and one for each clip, by at most 8
+ *  edges of a face, 4 of the picture and 2 sides of a gap. */
 enum { CORNERS_MAXIMUM = 32 };
 
 /** A convex polygon. */
@@ -16,7 +17,7 @@ typedef struct Polygon {
     int count;                      /**< Number of corners; fewer than 3: empty. */
 } Polygon;
 
-/** Keeps the part of a polygon on one side of a plane: normal . p >= at least. */
+/** Keeps the part of a polygon on one side of a plane: normal . p >= least. */
 void polygon_clip(Polygon *polygon, Vec3d normal, double least);
 
 /** Keeps the part of a polygon above or below a face. */

@@ -6,9 +6,6 @@
 
 #include <math.h>
 
-/** Half an ulp of 1 in float. */
-#define FLOAT_ROUNDOFF 0x1p-24
-
 /** Roundings of the two distances that are compared: of height and quotient each. The slopes of
  *  nearly parallel faces are rounded alike. */
 #define DISTANCE_ROUNDINGS 4

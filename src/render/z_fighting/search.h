@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_RENDER_Z_FIGHTING_SEARCH_H
 #define DIOPTRE_RENDER_Z_FIGHTING_SEARCH_H
 
+#include "render/roundoff.h"
 #include "render/z_fighting/z_fighting.h"
 
 /** Relative gap below which faces coincide: roundings of a few operations on the scene's numbers.
@@ -18,7 +19,8 @@
 /** Chance that a pixel is wrong where light in glass may miss a surface. */
 #define GLASS_CHANCE 0.5
 
-/** Largest number of pairs of shapes whose faces are compared, about 20 ms. */
+/** Largest number of pairs of shapes whose faces are compared, about 20 ms. Later pairs are not
+ *  seen. */
 enum { SHAPE_PAIRS_MAXIMUM = 1 << 15 };
 
 /** A bounded shape. */
@@ -40,7 +42,6 @@ typedef struct Search {
     bool has_glass;            /**< Whether rays are refracted. */
     Aabbd secondary;           /**< Box from which they start. */
     Aabbd centers;             /**< Box around the centres of the shapes from which they start. */
-    long box_pairs;            /**< Pairs of boxes compared. */
     long shape_pairs;          /**< Pairs of shapes compared. */
     size_t vertices;           /**< Vertices compared. */
     double largest_coincident; /**< Largest share of a pair in #ZFighting.coincident. */
@@ -56,6 +57,12 @@ typedef struct GapScale {
     bool is_glass;    /**< Whether one of them is transparent. */
 } GapScale;
 
+/** Counts a pair of boxes before it is compared. @return false where it is one too many: loops over
+ *  pairs end there. */
+static inline bool search_begin_pair(Search *search) {
+    return search->result.pairs < Z_FIGHTING_PAIRS_MAXIMUM && ++search->result.pairs > 0;
+}
+
 /** @return The height of a point above the plane of a face, signed. */
 static inline double height_above(const ShapeFace *face, Vec3d point) {
     return vec3d_dot(face->normal, vec3d_subtract(point, face->corners[0]));
@@ -65,11 +72,6 @@ static inline double height_above(const ShapeFace *face, Vec3d point) {
 static inline bool aabbd_overlaps(const Aabbd *a, const Aabbd *b) {
     return a->low.x <= b->high.x && b->low.x <= a->high.x && a->low.y <= b->high.y &&
            b->low.y <= a->high.y && a->low.z <= b->high.z && b->low.z <= a->high.z;
-}
-
-/** @return The largest coordinate of a point relative to the origin of tracers. */
-static inline double magnitude_of(const Search *search, Vec3d point) {
-    return vec3d_max_abs(vec3d_subtract(point, search->origin));
 }
 
 /** @return Whether a shape is transparent. */

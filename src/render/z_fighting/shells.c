@@ -153,7 +153,7 @@ void compare_shells(Search *search, const SceneShape *shape_a, const SceneShape 
     double smallest = fmin(fabs(scale.x), fmin(fabs(scale.y), fabs(scale.z))),
            largest = vec3d_max_abs(scale);
     double radius = largest * fmax(pair.a.radius, pair.a.top_radius);
-    double magnitude = magnitude_of(search, center) + radius;
+    double magnitude = magnitude_from(search->origin, center) + radius;
     Vec3d to_eye = vec3d_subtract(search->scene->camera.position, center);
     double distance = fmax(vec3d_length(to_eye), radius);
     bool has_glass = is_glass(search, shape_a) || is_glass(search, shape_b);

@@ -22,21 +22,18 @@ static void compare_lights(Search *search, const BoundedShape *shapes, size_t co
             box = aabbd_add_point(box, face.corners[k]);
         }
         double bound = shape_gap_bound(search, &box);
-        for (size_t k = 0; k < plane_count; k++) {
+        for (size_t k = 0; k < plane_count && search_begin_pair(search) &&
+                           search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM;
+             k++) {
             compare_light_with_shape(search, &face, planes[k], NULL, bound);
         }
-        for (size_t k = 0; k < count; k++) {
-            if (aabbd_overlaps(&shapes[k].box, &box)) {
+        for (size_t k = 0; k < count && search_begin_pair(search); k++) {
+            if (aabbd_overlaps(&shapes[k].box, &box) &&
+                search->shape_pairs++ < SHAPE_PAIRS_MAXIMUM) {
                 compare_light_with_shape(search, &face, shapes[k].shape, shapes[k].mesh, bound);
             }
         }
     }
-}
-
-/** @return Whether a shape reflects or transmits light. */
-static bool is_secondary(const Scene *scene, const SceneShape *shape) {
-    const SceneMaterial *material = &scene->materials[shape->material_index];
-    return scene_material_is_reflective(material) || scene_material_is_transparent(material);
 }
 
 /** Finds where secondary rays start: on bounded mirrors and glass, or anywhere around the scene and
@@ -48,7 +45,7 @@ static void find_secondary(Search *search) {
     bool is_bounded = true;
     for (size_t i = 0; i < scene->shape_count; i++) {
         const SceneShape *shape = &scene->shapes[i];
-        if (!is_secondary(scene, shape)) {
+        if (!scene_material_is_secondary(&scene->materials[shape->material_index])) {
             continue;
         }
         Aabbd bounds = scene_shape_facts(scene, shape).bounds;

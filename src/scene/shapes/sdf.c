@@ -71,8 +71,8 @@ static bool sdf_finish(void *values, uint64_t given, Error *error) {
     double maximum = longest_edge(p->field) / TOLERANCES_PER_EDGE;
     return !(given & HAS_TOLERANCE) || p->tolerance <= maximum ||
            error_set(error, STATUS_SCENE,
-                     "tolerance must be at most 1/16 of the longest edge of the field, %g, not %g",
-                     maximum, p->tolerance);
+                     "tolerance must be at most 1/%g of the longest edge of the field, %g, not %g",
+                     TOLERANCES_PER_EDGE, maximum, p->tolerance);
 }
 
 /** @return Facts of the surface of a field. See #SceneShapeClass.facts. */

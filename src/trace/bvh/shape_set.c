@@ -101,8 +101,7 @@ static size_t bvh_threshold_of(const Scene *scene, const TraceSettings *settings
     if (settings->bvh != BVH_AUTO) {
         return settings->bvh == BVH_ALWAYS ? 1 : SIZE_MAX;
     }
-    bool is_mirrored =
-        settings->depth > 0 && (scene_has_reflection(scene) || scene_has_transparency(scene));
+    bool is_mirrored = settings->depth > 0 && scene_has_secondary_rays(scene);
     return is_mirrored ? BVH_MIN_SHAPES_REFLECTIVE : BVH_MIN_SHAPES;
 }
 

@@ -169,10 +169,9 @@ static void set_bvh_visit(const ShapeSet *set, const Packet *packet,
 
 /* --- all shapes ------------------------------------------------------------------------------ */
 
-/** @return The intervals of a packet, where they are used: not with one lane, nor without shapes.
- */
+/** @return The intervals of a packet, where they are used: not without shapes. */
 static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) {
-    return LANES > 1 && set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
+    return set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
 }
 
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {

@@ -328,7 +328,7 @@ void mesh_bvh_closest_hits(const MeshBvh *mesh_bvh, const Packet *packet, int sh
     for (int v = 0; v < PACKET_VECTORS; v++) {
         limits[v] = hits[v].distance;
     }
-    const PacketIntervals intervals = LANES > 1 ? packet_intervals(packet) : (PacketIntervals){0};
+    const PacketIntervals intervals = packet_intervals(packet);
     bvh_traverse(&mesh_bvh->bvh, packet, &intervals, limits, &intersector, &results);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask met = packet->active[v] & (results.slots[v] >= integer_of(0));
@@ -357,7 +357,7 @@ void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occl
     for (int v = 0; v < PACKET_VECTORS; v++) {
         limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
     }
-    const PacketIntervals intervals = LANES > 1 ? packet_intervals(packet) : (PacketIntervals){0};
+    const PacketIntervals intervals = packet_intervals(packet);
     bvh_traverse(&mesh_bvh->bvh, packet, &intervals, limits, &intersector, &results);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         // A limit may be negative from the start: only together with a slot it means a hit.

@@ -333,23 +333,58 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
     return any(trace->arrived);
 }
 
-/** #sphere_trace_in_box with a count of steps. */
-static void sphere_trace_in_box_counted(const SphereTracer *tracer, SphereTrace *trace) {
+/** Records the step that the first lane makes next: the field is evaluated where the step evaluates
+ *  it. */
+static void march_log_add(MarchLog *log, const SphereTracer *tracer, const SphereTrace *trace) {
+    if (log && mask_lane(trace->stepping, 0) && log->count < log->capacity) {
+        Vec3 point = sphere_trace_point(trace, trace->t);
+        real distance =
+            sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
+        double scale = (double)tracer->scale;
+        log->steps[log->count++] =
+            (RayMarchStep){(double)real_lane(sphere_trace_distance(trace), 0) * log->length,
+                           fabs((double)real_lane(distance, 0)) * scale};
+    }
+}
+
+/** #sphere_trace_in_box with a count of steps. @param log See #sphere_trace_count_steps. */
+static void sphere_trace_in_box_counted(const SphereTracer *tracer, SphereTrace *trace,
+                                        MarchLog *log) {
     for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
+        march_log_add(log, tracer, trace);
         trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);
         sphere_trace_step(tracer, trace);
     }
 }
 
-real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit) {
+/** #sphere_trace_in_grid, which counts its steps anyway, with a log. */
+static void sphere_trace_in_grid_logged(const SphereTracer *tracer, SphereTrace *trace,
+                                        MarchLog *log) {
+    while (any(trace->stepping | trace->seeking | trace->entering) &&
+           !any(trace->steps >= real_of((scalar)tracer->max_steps))) {
+        real steps = trace->steps;
+        MarchLog before = *log;
+        march_log_add(log, tracer, trace);
+        sphere_trace_grid_step(tracer, trace);
+        // Whole steps evaluate the field; a step from cell to cell does not.
+        if (!mask_lane(trace->steps >= steps + 1, 0)) {
+            log->count = before.count;
+        }
+    }
+}
+
+real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
+                              MarchLog *log) {
     SphereTrace trace = {.arrived = mask_of(false)};
     if (!sphere_trace_begin(tracer, ray, active, limit, false, &trace)) {
         return real_of(0);
     }
-    if (tracer->grid.is_repeated) {
+    if (tracer->grid.is_repeated && log) {
+        sphere_trace_in_grid_logged(tracer, &trace, log);
+    } else if (tracer->grid.is_repeated) {
         sphere_trace_in_grid(tracer, &trace);
     } else {
-        sphere_trace_in_box_counted(tracer, &trace);
+        sphere_trace_in_box_counted(tracer, &trace, log);
     }
     return trace.steps;
 }

@@ -97,8 +97,10 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
                       bool is_shadow, SphereTrace *trace);
 
 /** @return Number of steps of rays until they hit or miss the surface. @param active Lanes that
- *  count; others make no step. @param limit Largest distances. */
-real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit);
+ *  count; others make no step. @param limit Largest distances. @param log Gets the steps of the
+ *  first lane; NULL: they are only counted. */
+real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
+                              MarchLog *log);
 
 /** @return Points of rays in the coordinates of the program. */
 INLINE Vec3 sphere_trace_point(const SphereTrace *trace, real t) {

@@ -113,8 +113,9 @@ static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask activ
 }
 
 /** See #ShapeExtension.count_steps. */
-static real sdf_shape_count_steps(const Shape *self, const Ray *ray, mask active, real limit) {
-    return sphere_trace_count_steps(&((const SdfShape *)self)->tracer, ray, active, limit);
+static real sdf_shape_count_steps(const Shape *self, const Ray *ray, mask active, real limit,
+                                  MarchLog *log) {
+    return sphere_trace_count_steps(&((const SdfShape *)self)->tracer, ray, active, limit, log);
 }
 
 /** See #ShapeClass.bounds. */

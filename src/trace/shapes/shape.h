@@ -8,6 +8,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_SHAPE_H
 #define DIOPTRE_TRACE_SHAPES_SHAPE_H
 
+#include "dioptre/engine.h"
 #include "dioptre/scene.h"
 #include "trace/tracer/ray.h"
 
@@ -31,6 +32,14 @@ typedef struct TextureUv {
     mask wrap_u; /**< Whether the picture repeats beyond its left and right edges. */
     mask wrap_v; /**< Whether it repeats beyond its lower and upper edges. */
 } TextureUv;
+
+/** The steps of sphere tracing of one ray, as they are recorded. */
+typedef struct MarchLog {
+    RayMarchStep *steps; /**< The steps; not owned. */
+    size_t count;        /**< Number of steps. */
+    size_t capacity;     /**< Room for steps; those beyond are left out. */
+    double length;       /**< Length of the ray's direction. */
+} MarchLog;
 
 /** Methods of the few kinds of shapes that are more than a primitive: meshes, distance fields and
  *  transformed shapes. Each may be NULL. */
@@ -62,9 +71,10 @@ typedef struct ShapeExtension {
      * Counts the steps of sphere tracing, for the AOVs. NULL: there are none.
      * @param active  Lanes that count; the result in other lanes is undefined.
      * @param limit   Largest distance.
+     * @param log     Gets the steps of the first lane; NULL: they are only counted.
      * @return Number of steps per ray.
      */
-    real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit);
+    real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit, MarchLog *log);
 } ShapeExtension;
 
 /** The table of methods of a class of shapes. */

@@ -261,7 +261,9 @@ static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask 
 }
 
 /** See #ShapeExtension.count_steps. */
-static real transformed_count_steps(const Shape *self, const Ray *ray, mask active, real limit) {
+static real transformed_count_steps(const Shape *self, const Ray *ray, mask active, real limit,
+                                    MarchLog *log) {
+    (void)log; // A stretched sphere is none: its steps are counted, but not recorded.
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
     const ShapeExtension *extension = inner->class->extension;
@@ -270,7 +272,7 @@ static real transformed_count_steps(const Shape *self, const Ray *ray, mask acti
     }
     LocalRay local = transformed_to_local(transformed, ray);
     real local_limit = narrow(widen(limit) - local.skipped);
-    return extension->count_steps(inner, &local.ray, active, local_limit);
+    return extension->count_steps(inner, &local.ray, active, local_limit, NULL);
 }
 
 /* --- whole packets --------------------------------------------------------------------------- */

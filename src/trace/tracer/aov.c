@@ -115,7 +115,7 @@ static void shape_count_steps(const Shape *shape, const Packet *packet, int v, m
     // surface.
     mask is_hit = hit->shape == integer_of(shape->index);
     real limit = real_select(is_hit, real_of(INFINITE), hit->distance);
-    real steps = extension->count_steps(shape, &packet->rays[v], active, limit);
+    real steps = extension->count_steps(shape, &packet->rays[v], active, limit, NULL);
     step_count->steps[v] += real_select(active, steps, real_of(0));
 }
 

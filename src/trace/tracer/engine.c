@@ -32,6 +32,7 @@ static void engine_destroy_tracer(Tracer *tracer) {
         free(tracer->lights);
         emitters_deinit(&tracer->emitters);
         loss_budget_deinit(&tracer->loss_budget);
+        wavefront_pool_destroy(tracer->wavefronts);
         free(tracer);
     }
 }
@@ -81,7 +82,7 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         return NULL;
     }
     const MeshBvhCache *reuse_from = settings->reuse_from ? &settings->reuse_from->meshes : NULL;
-    bool is_recursive = scene_has_reflection(scene) || scene_has_transparency(scene);
+    bool is_recursive = scene_has_secondary_rays(scene);
     *tracer = (Tracer){.sky = sky_of(&scene->sky),
                        .light_count = settings->is_unlit ? 0 : scene->light_count,
                        .seen_light_count = scene->light_count,
@@ -106,6 +107,9 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         engine_destroy_tracer(tracer);
         return NULL;
     }
+    // The reports trace by rules of their own. Without memory the recursion gives the same picture.
+    bool has_wavefronts = tracer->dielectrics.iors && tracer->depth > 0 && !tracer->methods;
+    tracer->wavefronts = has_wavefronts ? wavefront_pool_create() : NULL;
     return tracer;
 }
 

@@ -85,6 +85,9 @@ INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
 }
 
 PacketIntervals packet_intervals(const Packet *packet) {
+    if (LANES == 1) {
+        return (PacketIntervals){0};
+    }
     real limit = real_of(0);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         limit = real_max(real_select(packet->active[v], packet->limit[v], real_of(0)), limit);

@@ -45,7 +45,7 @@ typedef struct SampleContext {
     const Recorders *recorders; /**< What is recorded; NULL: nothing. */
     uint32_t sample;            /**< Index of the sample in its pixel. */
     uint32_t bounce;            /**< Number of reflections and refractions so far. */
-    RayType type;               /**< The type of the rays; in a wavefront that of some. */
+    RayType type;               /**< The type of the rays; not set in a wavefront. */
 } SampleContext;
 
 /** @return The ray tree that the rays of the first lane are recorded in; NULL: none. */
@@ -113,7 +113,7 @@ INLINE void losses_clear(Losses *losses) {
 unsigned packet_active_count(const Packet *packet);
 
 /** @return The intervals of a packet with at least one active ray. Engines of one lane test each
- * box for its ray, without intervals. */
+ * box for its ray: their intervals are empty. */
 PacketIntervals packet_intervals(const Packet *packet);
 
 /**

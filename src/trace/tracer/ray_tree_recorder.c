@@ -7,6 +7,7 @@
 #include "trace/lights/emitters.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /** Rays that memory is allocated for at first. */
 enum { RAY_TREE_INITIAL_CAPACITY = 64 };
@@ -73,6 +74,8 @@ static RayTreeNode *ray_tree_add(RayTree *ray_tree, RayType kind, const Ray *ray
                            .origin = vec3_first_lane(ray->origin),
                            .direction = vec3d_normalize(vec3d_scale_exponent(direction)),
                            .limit = real_first_lane(limit) * vec3d_length(direction),
+                           .engine_origin = vec3_first_lane(ray->origin),
+                           .engine_direction = direction,
                            .shape = -1,
                            .light = -1,
                            .distance = HUGE_VAL};
@@ -113,7 +116,7 @@ static void ray_tree_node_set_hit(RayTreeNode *ray, const Hit *hit, double lengt
         ray->shape = shape >= 0 ? shape : -1;
         ray->light = shape >= 0 ? ray->light : light;
         ray->distance = real_first_lane(hit->distance) * length;
-        ray->point = vec3_first_lane(hit->point);
+        ray->point = ray->engine_point = vec3_first_lane(hit->point);
         ray->normal = vec3_first_lane(hit->normal);
     }
 }
@@ -135,6 +138,72 @@ void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset)
             .is_inside = vec3d_dot(vec3_first_lane(surface->n_front[0]), ray->normal) < 0};
     }
 }
+
+/* --- sphere tracing --------------------------------------------------------------------------- */
+
+/** Most steps that are recorded of a ray. */
+enum { MARCH_STEPS_MAXIMUM = 1024 };
+
+/** The march that is kept, and whose it is. */
+typedef struct MarchRecord {
+    RayTree *tree;     /**< The tree; its steps have room for two marches. */
+    int hit_shape;     /**< The shape that the ray hits; negative: none. */
+    int shape;         /**< The shape whose march is kept; -1: none yet. */
+    size_t step_count; /**< Steps of the march that is kept. */
+} MarchRecord;
+
+/** Records the march in a shape behind the one that is kept, and keeps the better one. See
+ *  #ShapeVisitor. */
+static void shape_record_march(const Shape *shape, const Packet *packet, int v, mask active,
+                               void *found) {
+    MarchRecord *record = found;
+    const ShapeExtension *extension = shape->class->extension;
+    bool is_final = record->shape >= 0 && record->shape == record->hit_shape;
+    if (v > 0 || !extension || !extension->count_steps || is_final || !mask_lane(active, 0)) {
+        return;
+    }
+    RayMarchStep *kept = record->tree->steps + record->tree->step_count;
+    bool is_hit = shape->index == record->hit_shape;
+    const Ray *ray = &packet->rays[0];
+    MarchLog log = {.steps = kept + record->step_count,
+                    .capacity = MARCH_STEPS_MAXIMUM,
+                    .length = vec3d_length(vec3_first_lane(ray->direction))};
+    extension->count_steps(shape, ray, active, is_hit ? real_of(INFINITE) : packet->limit[0], &log);
+    if (is_hit || log.count > record->step_count) {
+        memmove(kept, log.steps, log.count * sizeof *kept);
+        record->step_count = log.count;
+        record->shape = (int)shape->index;
+    }
+}
+
+/** Makes room for the steps of two marches. @return Whether there is; false without memory. */
+static bool ray_tree_reserve_steps(RayTree *ray_tree) {
+    size_t needed = ray_tree->step_count + 2 * MARCH_STEPS_MAXIMUM;
+    if (needed > ray_tree->step_capacity) {
+        size_t capacity = 2 * needed;
+        RayMarchStep *steps = realloc(ray_tree->steps, capacity * sizeof *steps);
+        ray_tree->steps = steps ? steps : ray_tree->steps;
+        ray_tree->step_capacity = steps ? capacity : ray_tree->step_capacity;
+    }
+    return needed <= ray_tree->step_capacity;
+}
+
+void ray_tree_record_march(const ShapeSet *shapes, const SurfaceHit *surface) {
+    RayTree *ray_tree = surface->packet->context.recorders->ray_tree;
+    RayTreeNode *ray = ray_tree_current(ray_tree);
+    if (!ray || !ray_tree_reserve_steps(ray_tree)) {
+        return;
+    }
+    Packet limited = *surface->packet;
+    limited.limit[0] = surface->hits[0].distance;
+    MarchRecord record = {.tree = ray_tree, .hit_shape = ray->shape, .shape = -1};
+    shape_set_visit(shapes, &limited, shape_record_march, &record);
+    ray->first_step = ray_tree->step_count;
+    ray->step_count = record.step_count;
+    ray_tree->step_count += record.step_count;
+}
+
+/* --- glass ------------------------------------------------------------------------------------ */
 
 void ray_tree_record_dielectric(const SurfaceHit *surface) {
     const DielectricHit *dielectric = surface->dielectric;
@@ -251,6 +320,7 @@ void ray_tree_record_shading(const SurfaceHit *surface, const Rgb *texture_color
 /* --- completion ------------------------------------------------------------------------------- */
 
 void ray_tree_finish(RayTree *ray_tree, Vec3d origin) {
+    ray_tree->origin = origin;
     for (size_t i = 0; i < ray_tree->count; i++) {
         RayTreeNode *ray = &ray_tree->nodes[i];
         ray->origin = vec3d_add(ray->origin, origin);

@@ -22,6 +22,10 @@ void ray_tree_push(RayTree *ray_tree, RayType type, const RayState *rays, Rgb we
 /** Records what the current ray hits. @param offset How far from the surface rays start. */
 void ray_tree_record_surface(const SurfaceHit *surface, const RayOffset *offset);
 
+/** Records the steps of sphere tracing of the current ray: of the shape that it hits, or of that
+ *  which takes most steps. */
+void ray_tree_record_march(const ShapeSet *shapes, const SurfaceHit *surface);
+
 /** Records what happens to the current ray at a transparent surface. */
 void ray_tree_record_dielectric(const SurfaceHit *surface);
 

@@ -35,7 +35,7 @@ static void recorders_begin(const RayState *rays) {
         }
     }
     if (recorders->ray_tree) {
-        recorders->ray_tree->count = 0;
+        recorders->ray_tree->count = recorders->ray_tree->step_count = 0;
         recorders->ray_tree->is_truncated = false;
         ray_tree_push(recorders->ray_tree, RAY_CAMERA, rays, one);
     }
@@ -226,15 +226,6 @@ typedef struct CameraGroup {
 } CameraGroup;
 
 static void camera_group_trace(const CameraGroup *group, scalar cutoff);
-
-/** @return The number of rays of a packet that are traced. */
-static unsigned camera_packet_count(const CameraPacket *packet) {
-    unsigned count = 0;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        count += mask_count(packet->lanes[v]);
-    }
-    return count;
-}
 
 /** @return The number of rays of a group that are traced. */
 static unsigned camera_group_count(const CameraGroup *group) {

@@ -4,8 +4,14 @@
  *
  * How much light a ray of low throughput would have brought is not known beforehand. So the first
  * pass ends rays at a throughput that suffices for most pixels, and adds up what it ends. Where
- * that could be worth more than the cutoff allows, the camera ray is traced again, and rays end
- * at an eighth of the throughput. The work of all passes is a geometric series.
+ * that could be worth more than the cutoff allows, a further pass follows, in which rays end at an
+ * eighth of the throughput, and so on, while a pass promises to help and is not too much work. The
+ * work of all passes is a geometric series. What still lacks light gets an estimate of it, and is
+ * counted.
+ *
+ * In a recursion each pass traces the camera ray again. A wavefront keeps the rays that its pass
+ * ended and the next will not: every other pass goes on with those alone. Camera rays that find no
+ * room in a wavefront are divided into smaller groups; one alone is traced recursively.
  */
 #ifndef DIOPTRE_TRACE_TRACER_RETRACE_H
 #define DIOPTRE_TRACE_TRACER_RETRACE_H

@@ -140,17 +140,16 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
 }
 
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
-    // Recorders identify rays by their lanes; the reports trace by rules of their own.
-    bool is_glass = tracer->dielectrics.iors && tracer->depth > 0 && !tracer->methods &&
-                    !grid->path_hashes && !grid->ray_tree;
-    Wavefront *wavefront = is_glass ? wavefront_create() : NULL;
+    // Recorders identify rays by their lanes.
+    bool has_wavefront = tracer->wavefronts && !grid->path_hashes && !grid->ray_tree;
+    Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
     // Without memory for wavefronts, the recursion gives the same picture more slowly.
     if (wavefront) {
         trace_tile_wavefronts(tracer, grid, wavefront, rgb, counts);
+        wavefront_pool_give_back(tracer->wavefronts, wavefront);
     } else {
         trace_tile_packets(tracer, grid, rgb, counts);
     }
-    wavefront_destroy(wavefront);
     counts->camera += grid_ray_count(grid);
 }
 

@@ -49,7 +49,7 @@ static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *su
 /** Records the hits where a recorder is set. Not inlined: images are rendered without recorders,
  *  and the code would only lengthen their path. */
 static __attribute__((noinline)) void surface_hit_record(const SurfaceHit *surface,
-                                                         const RayOffset *offset) {
+                                                         const Tracer *tracer) {
     const Recorders *recorders = surface->packet->context.recorders;
     if (recorders->path_hashes) {
         path_hash_add_surfaces(surface);
@@ -58,7 +58,8 @@ static __attribute__((noinline)) void surface_hit_record(const SurfaceHit *surfa
         aov_record_surfaces(surface);
     }
     if (recorders->ray_tree) {
-        ray_tree_record_surface(surface, offset);
+        ray_tree_record_surface(surface, &tracer->ray_offset);
+        ray_tree_record_march(&tracer->shapes, surface);
     }
 }
 
@@ -162,7 +163,7 @@ __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context, co
         contacts_resolve(&tracer->ray_offset, &surface);
     }
     if (rays->packet.context.recorders) {
-        surface_hit_record(&surface, &tracer->ray_offset);
+        surface_hit_record(&surface, tracer);
     }
     shade_background(tracer, &surface, colors);
     if (tracer->methods) {

@@ -11,6 +11,7 @@
 #include "trace/mesh/mesh_bvh.h"
 #include "trace/tracer/camera.h"
 #include "trace/tracer/loss_budget.h"
+#include "trace/tracer/wavefront_pool.h"
 
 /** The sky in the engine's number type. */
 typedef struct Sky {
@@ -21,27 +22,29 @@ typedef struct Sky {
 
 /** The tracer of one scene at one precision and width. */
 struct Tracer {
-    Vec3d origin;            /**< The origin of the tracer's coordinates, in scene coordinates. */
-    ShapeSet shapes;         /**< The shapes. */
-    MeshBvhCache meshes;     /**< The meshes of the shapes. */
-    Dielectrics dielectrics; /**< The transparent shapes. */
-    Material *materials;     /**< The materials; owned. */
-    Light *lights;           /**< The lights; owned. */
-    size_t light_count;      /**< Number of lights that give light. */
-    size_t seen_light_count; /**< Number of lights; those with an area are seen. */
-    Emitters emitters;       /**< The visible lights. */
-    int samples;             /**< Rays per pixel. */
-    bool has_soft_shadows;   /**< Whether any light casts soft shadows. */
-    Camera camera;           /**< The camera. */
-    PixelPoint pixel_point;  /**< Where in its pixel a ray goes. */
-    Sky sky;                 /**< The sky. */
-    Textures textures;       /**< The textures of surfaces and sky. */
-    RayOffset ray_offset;    /**< How far from surfaces secondary rays start. */
-    int depth;               /**< Most reflections and refractions in succession; 0 if no material
-                                  reflects or transmits. */
-    LossBudget loss_budget;  /**< What may be ended below a camera ray. */
-    bool has_specular;       /**< Whether any material has specular highlights. */
-    unsigned methods;        /**< #TraceSettings.methods */
+    Vec3d origin;              /**< The origin of the tracer's coordinates, in scene coordinates. */
+    ShapeSet shapes;           /**< The shapes. */
+    MeshBvhCache meshes;       /**< The meshes of the shapes. */
+    Dielectrics dielectrics;   /**< The transparent shapes. */
+    Material *materials;       /**< The materials; owned. */
+    Light *lights;             /**< The lights; owned. */
+    size_t light_count;        /**< Number of lights that give light. */
+    size_t seen_light_count;   /**< Number of lights; those with an area are seen. */
+    Emitters emitters;         /**< The visible lights. */
+    int samples;               /**< Rays per pixel. */
+    bool has_soft_shadows;     /**< Whether any light casts soft shadows. */
+    Camera camera;             /**< The camera. */
+    PixelPoint pixel_point;    /**< Where in its pixel a ray goes. */
+    Sky sky;                   /**< The sky. */
+    Textures textures;         /**< The textures of surfaces and sky. */
+    RayOffset ray_offset;      /**< How far from surfaces secondary rays start. */
+    int depth;                 /**< Most reflections and refractions in succession; 0 if no material
+                                    reflects or transmits. */
+    LossBudget loss_budget;    /**< What may be ended below a camera ray. */
+    bool has_specular;         /**< Whether any material has specular highlights. */
+    unsigned methods;          /**< #TraceSettings.methods */
+    WavefrontPool *wavefronts; /**< Memory of tiles with transparent shapes; owned; NULL: rays are
+                                    traced recursively. */
 };
 
 /** See trace/tracer/report_methods.h. */

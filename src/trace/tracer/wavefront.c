@@ -12,8 +12,8 @@
 /** Camera rays that are traced side by side, at most. */
 enum { WAVEFRONT_SAMPLES = WAVEFRONT_PACKETS * PACKET_RAYS };
 
-/* Memory of a wavefront, per thread; only what is used is ever touched. Camera rays that need more
-   are traced in smaller groups, so the sizes change the time alone. */
+/* Memory of a wavefront, one for each thread that traces; only what is used is ever touched. Camera
+   rays that need more are traced in smaller groups, so the sizes change the time alone. */
 
 /** Most nodes: the rays below all camera rays of a wavefront. */
 enum { NODES_MAXIMUM = 1 << 17 };
@@ -64,6 +64,9 @@ struct Wavefront {
     unsigned root_count;   /**< Number of camera rays, whether traced or not. */
     unsigned node_count;   /**< Number of nodes. */
     unsigned sample_limit; /**< See wavefront_sample_limit(). */
+    unsigned sample_count; /**< Number of camera rays that were traced last. */
+    bool had_ample_room;   /**< Whether those, and all that was resumed of them, used less than a
+                                quarter of each array. */
     RayQueue level;        /**< The rays that are traced now. */
     RayQueue next;         /**< The rays of the next level. */
     QueuedRay *kept;     /**< Rays for wavefront_resume(), in the order of their bounces; owned. */
@@ -79,6 +82,8 @@ Wavefront *wavefront_create(void) {
         return NULL;
     }
     wavefront->sample_limit = WAVEFRONT_SAMPLES;
+    wavefront->sample_count = 0;
+    wavefront->had_ample_room = false;
     wavefront->nodes = malloc(NODES_MAXIMUM * sizeof *wavefront->nodes);
     wavefront->level.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->level.rays);
     wavefront->next.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->next.rays);
@@ -104,16 +109,6 @@ unsigned wavefront_sample_limit(const Wavefront *wavefront) {
     return wavefront->sample_limit;
 }
 
-/** Adapts #Wavefront.sample_limit. @param has_room Whether memory sufficed for its last rays. */
-static void wavefront_adapt(Wavefront *wavefront, bool has_room) {
-    unsigned limit = wavefront->sample_limit;
-    if (!has_room) {
-        wavefront->sample_limit = limit > 1 ? limit / 2 : 1;
-    } else if (wavefront->node_count < NODES_MAXIMUM / 4 && limit < WAVEFRONT_SAMPLES) {
-        wavefront->sample_limit = 2 * limit;
-    }
-}
-
 /** @return The number of rays of a level. */
 static unsigned ray_queue_count(const RayQueue *queue) {
     return queue->front + queue->back;
@@ -127,6 +122,34 @@ static const QueuedRay *ray_queue_at(const RayQueue *queue, unsigned index) {
 /** @return The place of a new ray. @param at_front Whether it comes to the front. */
 static QueuedRay *ray_queue_add(RayQueue *queue, bool at_front) {
     return &queue->rays[at_front ? queue->front++ : QUEUE_MAXIMUM - 1 - queue->back++];
+}
+
+/** Lowers #Wavefront.sample_limit, as memory did not suffice. @return false */
+static bool wavefront_fail(Wavefront *wavefront) {
+    unsigned count = wavefront->sample_count;
+    wavefront->sample_limit = count > 1 ? count / 2 : 1;
+    wavefront->had_ample_room = false;
+    return false;
+}
+
+/** Raises #Wavefront.sample_limit if the last camera rays had ample room: at least half as many as
+ *  the limit allows used less than a quarter, so twice as many as it allows find room, too. Fewer
+ *  rays say nothing. Half of those that found no room use more than that, so the limit does not
+ *  swing. */
+static void wavefront_raise_limit(Wavefront *wavefront) {
+    unsigned limit = wavefront->sample_limit;
+    if (wavefront->had_ample_room && 2 * wavefront->sample_count >= limit &&
+        limit < WAVEFRONT_SAMPLES) {
+        wavefront->sample_limit = 2 * limit < WAVEFRONT_SAMPLES ? 2 * limit : WAVEFRONT_SAMPLES;
+    }
+}
+
+/** Notes how much room the rays of a level leave, before it is traced. */
+static void wavefront_note_room(Wavefront *wavefront) {
+    wavefront->had_ample_room = wavefront->had_ample_room &&
+                                wavefront->node_count < NODES_MAXIMUM / 4 &&
+                                ray_queue_count(&wavefront->level) < QUEUE_MAXIMUM / 4 &&
+                                wavefront->kept_count < KEPT_MAXIMUM / 4;
 }
 
 /** @return Whether the rays that start at the surfaces of a packet find room. */
@@ -314,12 +337,12 @@ static void packet_gather(const Wavefront *wavefront, unsigned first, unsigned c
 static bool wavefront_trace_level(Wavefront *wavefront, scalar cutoff, const TraceContext *context,
                                   const SampleContext *sample_context, unsigned bounce) {
     unsigned total = ray_queue_count(&wavefront->level);
+    wavefront_note_room(wavefront);
     for (unsigned first = 0; first < total; first += PACKET_RAYS) {
         GatheredPacket gathered;
         Packet *packet = &gathered.rays.packet;
         if (!wavefront_has_room(wavefront)) {
-            wavefront_adapt(wavefront, false);
-            return false;
+            return wavefront_fail(wavefront);
         }
         packet_gather(wavefront, first, total - first < PACKET_RAYS ? total - first : PACKET_RAYS,
                       &gathered);
@@ -328,7 +351,6 @@ static bool wavefront_trace_level(Wavefront *wavefront, scalar cutoff, const Tra
         packet->context = *sample_context;
         packet->context.pixel_ids = sample_context->pixel_ids ? gathered.pixel_ids : NULL;
         packet->context.bounce = bounce;
-        packet->context.type = RAY_REFRACTION;
         wavefront_trace_packet(wavefront, cutoff, context, &gathered.rays, &gathered.source);
     }
     return true;
@@ -383,6 +405,7 @@ static void camera_packet_set_results(const PathNode *nodes, CameraPacket *packe
 
 /** Sets the results of all camera rays that are traced. */
 static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, int count) {
+    wavefront_note_room(wavefront);
     nodes_add_up(wavefront->nodes, wavefront->root_count, wavefront->node_count);
     for (int p = 0; p < count; p++) {
         camera_packet_set_results(wavefront->nodes + p * PACKET_RAYS, &packets[p]);
@@ -393,12 +416,16 @@ static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, i
 
 /** Begins the trees of the camera rays of packets. */
 static void wavefront_begin(Wavefront *wavefront, const CameraPacket *packets, int count) {
+    wavefront_raise_limit(wavefront);
+    wavefront->sample_count = 0;
+    wavefront->had_ample_room = true;
     wavefront->root_count = wavefront->node_count = (unsigned)count * PACKET_RAYS;
     wavefront->kept_count = 0;
     wavefront->level.front = wavefront->level.back = 0;
     wavefront->next.front = wavefront->next.back = 0;
     memset(wavefront->nodes, 0, wavefront->root_count * sizeof *wavefront->nodes);
     for (int p = 0; p < count; p++) {
+        wavefront->sample_count += camera_packet_count(&packets[p]);
         const uint32_t *pixel_ids = packets[p].rays->packet.context.pixel_ids;
         for (int i = 0; i < PACKET_RAYS; i++) {
             wavefront->pixel_ids[p * PACKET_RAYS + i] = pixel_ids ? pixel_ids[i] : 0;
@@ -441,7 +468,6 @@ bool wavefront_trace(Wavefront *wavefront, const TraceContext *context, scalar l
         }
     }
     wavefront_set_results(wavefront, packets, count);
-    wavefront_adapt(wavefront, true);
     return true;
 }
 
@@ -468,7 +494,7 @@ bool wavefront_resume(Wavefront *wavefront, const TraceContext *context, CameraP
         wavefront_advance(wavefront);
         for (; kept < end && kept->bounce == bounce; kept++) {
             if (ray_queue_count(&wavefront->level) == QUEUE_MAXIMUM) {
-                return false;
+                return wavefront_fail(wavefront);
             }
             if (is_sample_traced(packets, kept->sample)) {
                 kept_ray_queue(wavefront, kept, context->counts);

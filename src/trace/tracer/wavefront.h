@@ -30,8 +30,14 @@ typedef struct CameraPacket {
     mask lanes[PACKET_VECTORS]; /**< The rays that are traced; others keep their results. */
 } CameraPacket;
 
-/** Memory for the rays of wavefronts. */
-typedef struct Wavefront Wavefront;
+/** @return The number of rays of a packet that are traced. */
+static inline unsigned camera_packet_count(const CameraPacket *packet) {
+    unsigned count = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        count += mask_count(packet->lanes[v]);
+    }
+    return count;
+}
 
 /** @return Memory for wavefronts, released with wavefront_destroy(); NULL without memory. */
 Wavefront *wavefront_create(void);

@@ -93,7 +93,7 @@ static void show_settings_status(App *app) {
 /** @return Whether rays march through any shape of a scene. */
 static bool has_marched_shape(const Scene *scene) {
     for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene_shape_keywords[scene->shapes[i].class_index]->parameters->type == PARAMETER_SDF) {
+        if (keyword_has_field(scene_shape_keywords[scene->shapes[i].class_index])) {
             return true;
         }
     }
@@ -188,6 +188,18 @@ static void move_bar(App *app, int direction) {
     window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
 }
 
+/** Shows or hides the chart of settings. */
+static void toggle_chart(App *app, int argument) {
+    (void)argument;
+    window_toggle_chart(&app->window);
+}
+
+/** Shows or hides the magnifier. */
+static void toggle_magnifier(App *app, int argument) {
+    (void)argument;
+    window_toggle_magnifier(&app->window);
+}
+
 /* --- the rays of one pixel -------------------------------------------------------------------- */
 
 /** Shows the rays of one pixel, or the picture again. */
@@ -206,6 +218,17 @@ static void select_ray(App *app, int step) {
 static void fly_ray(App *app, int argument) {
     (void)argument;
     ray_view_fly(&app->window.ray_view, clock_now_seconds());
+}
+
+/** Shows a drawing beside the rays, or takes it away. */
+static void toggle_ray_pane(App *app, int pane) {
+    ray_view_toggle_pane(&app->window.ray_view, (RayPane)pane);
+}
+
+/** Turns the arrows of rays round. */
+static void turn_arrows(App *app, int argument) {
+    (void)argument;
+    ray_view_turn_arrows(&app->window.ray_view);
 }
 
 /** Hides the rays of a kind, or shows them again. */
@@ -300,15 +323,19 @@ static void toggle_toolbar(App *app, int argument) {
     window_toggle_toolbar(&app->window);
 }
 
+/** Begins or ends a presentation. */
+static void toggle_presentation(App *app, int argument) {
+    (void)argument;
+    window_toggle_presentation(&app->window);
+}
+
 /** Changes between the full screen and a window. */
 static void toggle_full_screen(App *app, int argument) {
     (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
-/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
- *  it is asked a second time. */
-static void leave_program(App *app) {
+void command_leave_program(App *app) {
     double now = clock_now_seconds();
     bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
     if (!needs_confirmation || now < app->exit.confirmation_end) {
@@ -343,6 +370,10 @@ static void leave(App *app, int argument) {
         app->player.is_leaving = true;
     } else if (is_own && window->ray_view.is_open) {
         issue(app, "rays");
+    } else if (is_own && window->settings_chart.is_open) {
+        issue(app, "chart");
+    } else if (is_own && window->magnifier.is_on) {
+        issue(app, "magnifier");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
         issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
     } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
@@ -350,7 +381,7 @@ static void leave(App *app, int argument) {
     } else if (is_full) {
         toggle_full_screen(app, 0);
     } else {
-        leave_program(app);
+        command_leave_program(app);
     }
 }
 
@@ -396,7 +427,9 @@ static void leave(App *app, int argument) {
 /** The help of the other layers. */
 #define LAST_LAYERS .help = N_("rays, marching, time, error, acne; rounding")
 /** The help of the keys that choose rays. */
-#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 4: hide)")
+#define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 8: more)")
+/** The help of the keys that show values of the picture, and of the one that resets all. */
+#define SHOWN_VALUES .help = N_("costs, magnifier, chart; all as at first")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -439,9 +472,9 @@ const Command command_table[] = {
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), RUNS(change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_SHIFT, RUNS(change_offset, -1)},
     {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, -2)},
-    {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, -10)},
+    {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_SHIFT | COMMAND_REPEATS, RUNS(change_epsilon, -10)},
     {"epsilon twice", {ONLY_PLACE(RIGHTBRACKET, NULL)}, "ε × 2", PICTURE, EPSILON, .flags = COMMAND_REPEATS, RUNS(change_epsilon, 2)},
-    {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT, RUNS(change_epsilon, 10)},
+    {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_SHIFT | COMMAND_REPEATS, RUNS(change_epsilon, 10)},
     {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_engine, 1)},
     {"engine back", {KEY(g)}, .flags = COMMAND_SHIFT, RUNS(change_engine, -1)},
     {"light mode", {KEY(m)}, N_("light"), PICTURE, .help = N_("float, double, quad; which light"), RUNS(change_lighting, 1)},
@@ -453,8 +486,10 @@ const Command command_table[] = {
     {"methods", {KEY(u)}, N_("reports"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_methods, 1)},
     {"methods back", {KEY(u)}, .flags = COMMAND_SHIFT, RUNS(change_methods, -1)},
     {"pixel corners", {KEY(F8)}, N_("corners"), PICTURE, .help = N_("as report A, B, C, D; pixel corners"), RUNS(change_pixel, 1)},
-    {"settings", {KEY(i)}, N_("costs"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(toggle_settings, 0)},
-    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and costs; all as at first"), RUNS(reset_settings, 0)},
+    {"settings", {KEY(i)}, N_("costs"), PICTURE, SHOWN_VALUES, RUNS(toggle_settings, 0)},
+    {"chart", {KEY(F9)}, N_("chart"), PICTURE, SHOWN_VALUES, RUNS(toggle_chart, 0)},
+    {"magnifier", {KEY(F4)}, N_("magnify"), PICTURE, SHOWN_VALUES, RUNS(toggle_magnifier, 0)},
+    {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, SHOWN_VALUES, RUNS(reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(cycle_split, 1)},
     {"split back", {KEY(x)}, .flags = COMMAND_SHIFT, RUNS(cycle_split, -1)},
     {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(swap_side, 0)},
@@ -471,6 +506,10 @@ const Command command_table[] = {
     {"shadow rays", {ONLY_PLACE(2, N_("Shift 2"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_SHADOW)},
     {"mirrored rays", {ONLY_PLACE(3, N_("Shift 3"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFLECTION)},
     {"refracted rays", {ONLY_PLACE(4, N_("Shift 4"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_kind, RAY_REFRACTION)},
+    {"arrows", {ONLY_PLACE(5, N_("Shift 5"))}, NULL, .flags = COMMAND_SHIFT, RUNS(turn_arrows, 0)},
+    {"ray plan", {ONLY_PLACE(6, N_("Shift 6"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_PLAN)},
+    {"ray march", {ONLY_PLACE(7, N_("Shift 7"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_MARCH)},
+    {"hit microscope", {ONLY_PLACE(8, N_("Shift 8"))}, NULL, .flags = COMMAND_SHIFT, RUNS(toggle_ray_pane, RAY_PANE_MICROSCOPE)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around them; or the mouse")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("with a move: fast, fine")},
@@ -493,6 +532,8 @@ const Command command_table[] = {
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_help, 0)},
     {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("toolbar, full screen"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_toolbar, 0)},
+    {"presentation", {KEY(F5)}, N_("class"), PROGRAM, .help = N_("for a class: large letters, no toolbar"),
+     .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(toggle_presentation, 0)},
     {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("toolbar, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(leave, 0)},

@@ -10,7 +10,6 @@
 #include "view/commands/current_scene.h"
 
 #include "base/scene_name.h"
-#include "view/window/font.h"
 
 #include <string.h>
 
@@ -53,7 +52,7 @@ void current_scene_browse(App *app) {
     if (current_scene_is_locked(app)) {
         return;
     }
-    if (!app->settings->preview || !font_is_available() ||
+    if (!app->settings->preview || !app->window.gui ||
         !browser_open(&app->window.browser, app->settings,
                       app->first_event + EVENT_SCENE_LIST_CHANGED, app->source.path)) {
         app_set_status(app, "no list of scenes can be shown");

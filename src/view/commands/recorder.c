@@ -36,12 +36,47 @@ static void quote_lua_string(char *out, size_t size, const char *text) {
     snprintf(out + used, size - used, "\"");
 }
 
+void lesson_writer_relative_path(const char *folder, const char *path, char *out, size_t size) {
+    size_t common = 0, used = 0;
+    for (size_t i = 0; folder[i] == path[i] || (folder[i] == '\0' && path[i] == '/'); i++) {
+        common = path[i] == '/' ? i + 1 : common;
+        if (folder[i] == '\0') {
+            break;
+        }
+    }
+    if (common <= 1 || size == 0) { // Nothing but the root.
+        snprintf(out, size, "%s", path);
+        return;
+    }
+    out[0] = '\0';
+    const char *rest = folder + SDL_min(common, strlen(folder));
+    for (bool is_start = true; *rest; rest++) {
+        if (is_start && used + 3 < size) {
+            used += (size_t)snprintf(out + used, size - used, "../");
+        }
+        is_start = *rest == '/';
+    }
+    snprintf(out + used, size - used, "%s", path + common);
+}
+
+/** Finds the path of the scene as seen from the folder of the lesson: both can be moved together.
+ */
+static void find_scene_path(const App *app, char path[2 * PATH_MAX]) {
+    char scene[PATH_MAX], folder[PATH_MAX];
+    if (realpath(app->source.path, scene) && realpath(app->settings->snapshot_dir, folder)) {
+        lesson_writer_relative_path(folder, scene, path, 2 * PATH_MAX);
+    } else {
+        snprintf(path, 2 * PATH_MAX, "%s", app->source.path);
+    }
+}
+
 /** Writes the head of a lesson: scene, window and render settings. */
 static void write_head(const App *app, FILE *file) {
-    char scene[2 * PATH_MAX], name[2 * PATH_MAX];
+    char path[2 * PATH_MAX], scene[4 * PATH_MAX], name[2 * PATH_MAX];
     int width = 0, height = 0;
     const RenderSettings *render = &app->settings->render;
-    quote_lua_string(scene, sizeof scene, app->source.path);
+    find_scene_path(app, path);
+    quote_lua_string(scene, sizeof scene, path);
     quote_lua_string(name, sizeof name, app->source.name);
     window_size_below_toolbar(&app->window, &width, &height);
     fprintf(
@@ -231,10 +266,9 @@ bool recorder_end(App *app, Error *error) {
 /** Shows the caption that is typed. */
 static void show_typed_caption(App *app) {
     Caption *caption = &app->window.caption;
-    const char *text = app->recorder.caption;
-    *caption = (Caption){
-        .text = {text, text}, .hint = N_("Caption: type, then Enter"), .overlay = caption->overlay};
-    overlay_invalidate(&caption->overlay);
+    const char *text = app->recorder.shown;
+    snprintf(app->recorder.shown, sizeof app->recorder.shown, "%s%s", app->recorder.caption, CARET);
+    *caption = (Caption){.text = {text, text}, .hint = N_("Caption: type, then Enter")};
     window_present(&app->window);
 }
 

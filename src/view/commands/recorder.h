@@ -52,6 +52,15 @@ bool recorder_handle_caption_event(App *app, const SDL_Event *event);
 /** Writes how long nothing happens. @param milliseconds How long; 0: nothing is written. */
 void lesson_writer_wait(FILE *file, int64_t milliseconds);
 
+/**
+ * Finds a path as seen from a folder.
+ * @param folder    The folder, absolute, without a slash at its end.
+ * @param path      The path, absolute; both without links and dots.
+ * @param[out] out  The relative path; the absolute one where only the root is common.
+ * @param size      Bytes of it.
+ */
+void lesson_writer_relative_path(const char *folder, const char *path, char *out, size_t size);
+
 /** Writes a caption as a step. @param[out] step The step, cut to its size. */
 void lesson_writer_caption(char *step, size_t size, const char *caption);
 

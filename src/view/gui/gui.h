@@ -11,6 +11,7 @@
 
 #include <SDL.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,12 +26,19 @@ typedef struct GuiPoint {
     float y; /**< Down. */
 } GuiPoint;
 
+/** A part of the window, units of the window. */
+typedef struct GuiRect {
+    float x;      /**< Left end. */
+    float y;      /**< Upper end. */
+    float width;  /**< Width. */
+    float height; /**< Height. */
+} GuiRect;
+
 /**
- * Creates the interface of a window.
- * @param font  Path of the font file, TrueType.
- * @return The interface, to be freed with #gui_destroy; NULL without font or memory.
+ * Creates the interface of a window, with the typeface that is installed.
+ * @return The interface, to be freed with #gui_destroy; NULL without typeface or memory.
  */
-Gui *gui_create(SDL_Window *window, SDL_Renderer *renderer, const char *font);
+Gui *gui_create(SDL_Window *window, SDL_Renderer *renderer);
 
 /** Frees an interface. @param gui The interface, or NULL. */
 void gui_destroy(Gui *gui);
@@ -59,10 +67,137 @@ void gui_end_frame(Gui *gui);
 /** @return The height of the letters, pixels of the window. */
 float gui_text_size(void);
 
+/** Has some more frames drawn: what is shown has changed, and panels find their size. */
+void gui_request_frames(Gui *gui);
+
+/** The shapes of the mouse. */
+typedef enum {
+    GUI_CURSOR_HAND,    /**< Something can be taken or clicked. */
+    GUI_CURSOR_MOVE,    /**< Something is moved. */
+    GUI_CURSOR_SIDEWAYS /**< Something can be moved left and right. */
+} GuiCursor;
+
+/** Sets the shape of the mouse for this frame, unless it is over a widget. */
+void gui_set_cursor(GuiCursor cursor);
+
+/** Shows the mouse as a large ring, which a class sees, or as usual. */
+void gui_set_ring(Gui *gui, bool is_wanted);
+
+/** Writes a text in very large letters. @param top Middle of its upper edge. */
+void gui_title(const char *text, GuiPoint top);
+
+/* --- the palette ------------------------------------------------------------------------------ */
+
+/** The colours of text and marks. */
+typedef enum {
+    GUI_COLOR_TEXT,                       /**< Text. */
+    GUI_COLOR_FAINT,                      /**< What matters less. */
+    GUI_COLOR_ACCENT,                     /**< What is chosen or on; labels. */
+    GUI_COLOR_HEADING,                    /**< Headings. */
+    GUI_COLOR_ERROR,                      /**< Errors. */
+    GUI_COLOR_GROUP,                      /**< The first group of commands; the others follow. */
+    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 7 /**< Number of colours. */
+} GuiColor;
+
+/** @return The colour of a group of commands. @param group From 1; beyond the last it begins anew.
+ */
+GuiColor gui_group_color(int group);
+
+/* --- panels ----------------------------------------------------------------------------------- */
+
+/** Bytes of a row's label with the final zero. */
+enum { GUI_LABEL_SIZE = 96 };
+/** Two spaces, which part the names of keys in a label. */
+#define GUI_KEY_GAP "  "
+
+/** One row of a panel: a heading, or a label and a text. */
+typedef struct GuiRow {
+    bool is_heading;            /**< Whether it is a heading. */
+    char label[GUI_LABEL_SIZE]; /**< Label, UTF-8; empty: none. */
+    bool has_keys;              /**< Whether the label names keys, parted by #GUI_KEY_GAP. */
+    const char *text;           /**< Its text, UTF-8; not owned. */
+    GuiColor color;             /**< Colour of a heading or of keys; 0: the usual one. */
+    bool has_swatch;            /**< Whether a colour stands in place of the label. */
+    uint8_t swatch[3];          /**< That colour, sRGB. */
+    bool is_clickable;          /**< Whether it can be clicked. */
+} GuiRow;
+
+/** Where a panel lies. */
+typedef struct GuiPlace {
+    GuiRect room; /**< The part of the window that it may fill. */
+    float x;      /**< Where it lies in its room: 0 at the left, 1 at the right. */
+    float y;      /**< The same: 0 at the top, 1 at the bottom. */
+} GuiPlace;
+
+/** A row, and a key of its label. */
+typedef struct GuiCell {
+    int row; /**< Index of the row; -1: none. */
+    int key; /**< Index of the key in the label. */
+} GuiCell;
+
+/** A panel as large as its rows; it scrolls if they do not fit. @param[out] extent Where it lies;
+ *  NULL: not wanted. @return The cell that was clicked. */
+GuiCell gui_rows_panel(const char *id, const GuiPlace *place, const GuiRow *rows, size_t count,
+                       GuiCell selected, GuiRect *extent);
+
+/** @return The height of a panel of rows in a room of some width. */
+float gui_rows_panel_height(const GuiRow *rows, size_t count, float width);
+
+/** Begins a panel that fills a room; what is too high scrolls. */
+void gui_panel_begin(const char *id, const GuiRect *room);
+
+/** Ends the panel. */
+void gui_panel_end(void);
+
+/** @return The width for what a panel contains. */
+float gui_panel_width(void);
+
+/** Writes a heading. */
+void gui_heading(const char *text);
+
+/** Writes a text, in several lines where it is long. @param lines Lines that it fills at least. */
+void gui_paragraph(const char *text, GuiColor color, int lines);
+
+/** Rows in as many columns as fit side by side; columns begin with headings. The selected cell is
+ *  scrolled to when it changes. @return The cell that was clicked. */
+GuiCell gui_rows(const GuiRow *rows, size_t count, GuiCell selected);
+
+/** Begins a drawing of a height in the panel. @return Its upper left corner. */
+GuiPoint gui_canvas(float height);
+
+/** What the mouse does with something. */
+typedef enum {
+    GUI_IDLE,    /**< Nothing. */
+    GUI_HOVERED, /**< It is over it. */
+    GUI_CLICKED  /**< It has clicked on it. */
+} GuiMouse;
+
+/** Draws a key of a keyboard. @param cap What is printed on it. @param color Its colour;
+ *  #GUI_COLOR_FAINT: it does nothing. @param is_on Whether it is selected. */
+GuiMouse gui_key(const GuiRect *rect, const char *cap, GuiColor color, bool is_on);
+
+/** What a picture of a list shows. */
+typedef struct GuiThumbnail {
+    SDL_Texture *texture; /**< The picture; NULL: none yet. */
+    const char *name;     /**< Name below it. */
+    const char *message;  /**< Text in place of the picture; NULL: none. */
+    GuiColor color;       /**< Colour of that text. */
+    bool is_selected;     /**< Whether it is selected. */
+    bool scrolls_to_it;   /**< Whether the panel scrolls to it. */
+} GuiThumbnail;
+
+/** @return Width of a thumbnail when as many as fit stand side by side in a panel. @param[out]
+ *  columns How many that are. */
+float gui_thumbnail_width(int *columns);
+
+/** Draws a picture of a list. @param column Its column; 0 begins a new line. */
+GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width);
+
 /* --- the bar ---------------------------------------------------------------------------------- */
 
-/** Begins the bar at the upper edge of the window. Its widgets follow, then #gui_bar_end. */
-void gui_bar_begin(void);
+/** Begins the bar at the upper edge of the window. Its widgets follow, then #gui_bar_end. @param
+ *  is_folded Whether it is only as wide as they are. */
+void gui_bar_begin(bool is_folded);
 
 /** Ends the bar. @return Its height, pixels of the window. */
 float gui_bar_end(void);
@@ -106,6 +241,9 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
+/** @return The height of what #gui_readout shows. */
+float gui_readout_height(void);
+
 /** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
  *  sRGB. @param corner The lower left corner. */
 void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
@@ -116,6 +254,28 @@ void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
 /** Marks where a light outside the picture is. @param tip Tip of the arrow. @param direction Where
  *  it points, of length 1. */
 void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
+
+/* --- what a frame has written, for tests --------------------------------------------------------
+ */
+
+/** Bytes of a recorded text with the final zero; a longer one is cut. */
+enum { GUI_RECORD_SIZE = 128 };
+
+/** A text that was written. */
+typedef struct GuiText {
+    char text[GUI_RECORD_SIZE]; /**< The text. */
+    GuiRect rect;               /**< Where it lies. */
+    GuiRect clip;               /**< What of it can be seen. */
+    float size;                 /**< Height of its letters. */
+    unsigned panel;             /**< Identifies the panel that it is in. */
+    bool scrolls;               /**< Whether that panel can scroll. */
+} GuiText;
+
+/** Has texts recorded from the next frame on, or no more. */
+void gui_record_texts(Gui *gui, bool is_wanted);
+
+/** @return Number of texts of the last frame. @param[out] texts The texts, until the next frame. */
+size_t gui_texts(const Gui *gui, const GuiText **texts);
 
 /* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
  */
@@ -169,14 +329,14 @@ typedef struct GuiSwatch {
 
 /** A legend: a title, a bar of colours with ticks, colours by themselves, notes. */
 typedef struct GuiLegend {
-    const char *title;               /**< What is shown. */
-    const char *unit;                /**< Its unit and scale; empty: none. */
-    const unsigned char (*bar)[3];   /**< Colours of the bar, from its lower end; sRGB. */
-    int bar_count;                   /**< Number of them; 0: there is no bar. */
-    const GuiSwatch *swatches;       /**< Ticks of the bar from its upper end, then colours. */
-    int swatch_count;                /**< Number of them. */
-    const char *const *notes;        /**< What else is to be said. */
-    int note_count;                  /**< Number of them. */
+    const char *title;             /**< What is shown. */
+    const char *unit;              /**< Its unit and scale; empty: none. */
+    const unsigned char (*bar)[3]; /**< Colours of the bar, from its lower end; sRGB. */
+    int bar_count;                 /**< Number of them; 0: there is no bar. */
+    const GuiSwatch *swatches;     /**< Ticks of the bar from its upper end, then colours. */
+    int swatch_count;              /**< Number of them. */
+    const char *const *notes;      /**< What else is to be said. */
+    int note_count;                /**< Number of them. */
 } GuiLegend;
 
 /**
@@ -190,29 +350,57 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
 /** Draws a ring around a pixel, seen on light and dark ground. */
 void gui_ring(GuiPoint center, float radius);
 
+/** Pixels as squares. */
+typedef struct GuiPixels {
+    const unsigned char *rgb; /**< Their colours, sRGB, row by row. */
+    int columns;              /**< Squares to the right, odd. */
+    int rows;                 /**< Squares down, odd. */
+    const char *caption;      /**< What the one in the middle shows. */
+} GuiPixels;
+
+/**
+ * Draws pixels as squares with lines between them; the one in the middle has a frame.
+ * @param point  What they are of; they lie beside it, inside the window.
+ * @param top    Upper edge of the free part of the window.
+ */
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+
+/** A point of a chart. */
+typedef struct GuiChartPoint {
+    char label[4];    /**< Beside it in the chart. */
+    const char *name; /**< What the label stands for: a row of the list. */
+    double x;         /**< To the right, above 0. */
+    double y;         /**< Up, at least 0. */
+    bool is_front;    /**< Whether it is part of the front. */
+    bool is_shown;    /**< Whether it is the one that is on screen. */
+} GuiChartPoint;
+
+/** A chart with two logarithmic axes. */
+typedef struct GuiChart {
+    const char *title;           /**< What it shows. */
+    const char *x_label;         /**< What its lower axis measures, with unit. */
+    const char *y_label;         /**< What its left axis measures, with unit. */
+    const GuiChartPoint *points; /**< The points. */
+    int count;                   /**< Number of them. */
+    const char *const *notes;    /**< What else is to be said. */
+    int note_count;              /**< Number of them. */
+} GuiChart;
+
+/** Draws a chart: points with labels, a line through the front, a list of as many points as fit,
+ * the last ones. @param corner Its upper left corner.
+ *  @param size Its width and height. */
+void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size);
+
 /* --- lessons ---------------------------------------------------------------------------------- */
-
-/** Begins a panel that fills a rectangle of the window; what does not fit is scrolled.
- *  #gui_panel_end follows. @param corner Its upper left corner. @param size Its size. */
-void gui_panel_begin(const char *id, GuiPoint corner, GuiPoint size);
-
-/** Ends the panel. */
-void gui_panel_end(void);
 
 /** Begins a card in the middle of the window, as high as its text. #gui_panel_end follows. */
 void gui_card_begin(const char *id);
 
-/** Writes a heading. */
-void gui_heading(const char *text);
-
-/** Writes a text in as many lines as it needs. */
-void gui_paragraph(const char *text);
-
 /** Writes an item of a list in as many lines as it needs. */
 void gui_item(const char *text);
 
-/** Puts the next widget into the line of the last one. */
-void gui_same_line(void);
+/** Puts the next widget into the line of the last one, where it has room. @param label Its words. */
+void gui_same_line(const char *label);
 
 /** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked
  *  Whether it is the one to click now. @return Whether it was clicked. */
@@ -241,6 +429,12 @@ typedef struct GuiAnswers {
 /** Shows answers with their numbers, side by side where there is room. @return Index of the one
  *  that was clicked; -1: none. */
 int gui_answers(const GuiAnswers *answers);
+
+/* --- progress --------------------------------------------------------------------------------- */
+
+/** A thin bar that fills from the left. @param corner Its lower left corner. @param fraction How
+ *  much of it is full, 0 to 1. */
+void gui_progress_bar(GuiPoint corner, float width, float fraction);
 
 #ifdef __cplusplus
 }

@@ -41,12 +41,13 @@ static void end_all_moves(App *app, double time) {
     held_keys_release_all(&app->input.held_keys, time);
 }
 
-/** Steps to a pixel nearby: an arrow with Ctrl, while rays are shown. @return Whether the key is
- *  one for that. */
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return
+ * Whether the key is one for that. */
 static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     bool is_arrow =
         command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
-    if (!is_arrow || !app->window.ray_view.is_open || !(modifiers & KMOD_CTRL)) {
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
         return false;
     }
     if (!app_is_playing(app)) {
@@ -66,6 +67,33 @@ static const Command *in_ray_view(const App *app, const Command *command) {
     return flies ? command_find(app->commands, "fly ray") : command;
 }
 
+/** @return Whether a key with Shift types a question mark: at the places of American, French and
+ *  German keyboards. */
+static bool is_question_mark(SDL_Keysym key) {
+    bool is_place = (key.scancode == SDL_SCANCODE_SLASH && key.sym == SDLK_SLASH) ||
+                    (key.scancode == SDL_SCANCODE_M && key.sym == SDLK_COMMA) ||
+                    (key.scancode == SDL_SCANCODE_MINUS && key.sym == SDLK_QUOTE);
+    return key.sym == SDLK_QUESTION || (is_place && key.mod & KMOD_SHIFT);
+}
+
+/** Handles the keys that all programs have: ?, Ctrl and a letter, Alt and Enter. @return Whether it
+ *  is one of them; letters with Ctrl are no commands of the table. */
+static bool handle_common_key(App *app, SDL_Keysym key) {
+    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL;
+    const char *name = NULL;
+    if (key.sym == SDLK_RETURN && key.mod & KMOD_ALT) {
+        name = "full screen";
+    } else if (is_question_mark(key)) {
+        name = "help";
+    } else if (is_letter && key.sym == SDLK_q) {
+        command_leave_program(app);
+    }
+    if (name) {
+        command_issue(app, command_find(app->commands, name), event_time(SDL_GetTicks()));
+    }
+    return name || is_letter;
+}
+
 /** Handles a key that goes down or up. */
 static void on_key(App *app, const SDL_KeyboardEvent *key) {
     double time = event_time(key->timestamp);
@@ -73,6 +101,9 @@ static void on_key(App *app, const SDL_KeyboardEvent *key) {
     const Command *command =
         command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
     command = command && command->name ? in_ray_view(app, command) : NULL;
+    if (is_down && handle_common_key(app, key->keysym)) {
+        return;
+    }
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
         return;
     }
@@ -219,36 +250,16 @@ static void on_wheel(App *app, const SDL_MouseWheelEvent *wheel) {
 
 /* --- the list of scenes ----------------------------------------------------------------------- */
 
-/** @return The size of the list of scenes. */
-static PanelBounds browser_bounds(const App *app) {
-    const OverlayTarget target = {app->window.sdl.renderer,
-                                  app->window.text_scale > 0 ? app->window.text_scale : 1, 1,
-                                  window_toolbar_height(&app->window)};
-    return overlay_bounds(&target);
-}
-
-/** Closes the list, or opens a scene, as a key or a click asks. */
+/** Closes the list, or opens a scene, as a key asks. */
 static void apply_browser_result(App *app, BrowserResult result) {
     Browser *browser = &app->window.browser;
-    char path[PATH_MAX];
-    if (result == BROWSER_OPEN_SCENE && browser_selected_path(browser, path)) {
-        player_open_file(app, path);
-    }
-    if (result != BROWSER_KEEP_OPEN) {
+    if (result == BROWSER_OPEN_SCENE) {
+        player_open_selected(app);
+    } else if (result == BROWSER_CLOSE) {
         browser_close(browser);
     }
+    gui_request_frames(app->window.gui);
     window_present(&app->window);
-}
-
-/** Handles a click while the list of scenes is open. */
-static void on_browser_click(App *app, const SDL_MouseButtonEvent *click,
-                             const PanelBounds *bounds) {
-    int width = 1, height = 1;
-    SDL_GetWindowSize(app->window.sdl.window, &width, &height);
-    int x = click->x * bounds->width / SDL_max(1, width);
-    int top = window_toolbar_height(&app->window);
-    int y = click->y * (bounds->height + top) / SDL_max(1, height) - top;
-    apply_browser_result(app, browser_click(&app->window.browser, x, y, bounds));
 }
 
 /** Handles an event while the list of scenes is open. @return Whether it was for the list. */
@@ -257,34 +268,33 @@ static bool handle_browser_event(App *app, const SDL_Event *event) {
     if (!browser->is_open) {
         return false;
     }
-    PanelBounds bounds = browser_bounds(app);
     switch (event->type) {
     case SDL_KEYDOWN:
-        apply_browser_result(app, browser_key(browser, event->key.keysym.sym, &bounds));
+        if (event->key.keysym.mod & (KMOD_CTRL | WINDOW_MANAGER_MODIFIERS)) {
+            return false;
+        }
+        apply_browser_result(app, browser_key(browser, event->key.keysym.sym));
         return true;
-    case SDL_MOUSEBUTTONDOWN:
-        on_browser_click(app, &event->button, &bounds);
-        return true;
-    case SDL_MOUSEWHEEL:
-        browser_scroll(browser, -event->wheel.y, &bounds);
+    case SDL_TEXTINPUT:
+        browser_type(browser, event->text.text);
         window_present(&app->window);
         return true;
     default:
-        return event->type == SDL_MOUSEMOTION;
+        return event->type == SDL_MOUSEMOTION || event->type == SDL_MOUSEBUTTONDOWN ||
+               event->type == SDL_MOUSEBUTTONUP || event->type == SDL_MOUSEWHEEL;
     }
 }
 
 /** Handles a change of the list of scenes. */
 static void on_scene_list_changed(App *app) {
     Browser *browser = &app->window.browser;
-    PanelBounds bounds = browser_bounds(app);
     if (browser->is_reopen_pending) {
         current_scene_browse(app);
     }
     if (browser->is_open) {
-        browser_select_current(browser, &bounds);
+        browser_select_current(browser);
     }
-    overlay_invalidate(&browser->overlay);
+    gui_request_frames(app->window.gui);
     window_present(&app->window);
 }
 
@@ -351,9 +361,21 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     return gui_handle_event(app->window.gui, event);
 }
 
+/** Handles an event while the help is open. @return Whether it was for the help. */
+static bool handle_help_event(App *app, const SDL_Event *event) {
+    Help *help = &app->window.help;
+    bool is_key = help->is_open && event->type == SDL_KEYDOWN &&
+                  !(event->key.keysym.mod & WINDOW_MANAGER_MODIFIERS) &&
+                  help_handle_key(help, event->key.keysym.sym);
+    if (is_key) {
+        gui_request_frames(app->window.gui);
+    }
+    return is_key;
+}
+
 void input_handle_event(App *app, const SDL_Event *event) {
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
-        handle_browser_event(app, event)) {
+        handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;
     }
     switch (event->type) {

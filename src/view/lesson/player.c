@@ -141,6 +141,16 @@ void player_open_file(App *app, const char *path) {
     current_scene_open(app, path);
 }
 
+void player_open_selected(App *app) {
+    Browser *browser = &app->window.browser;
+    char path[PATH_MAX];
+    browser->is_requested = false;
+    if (browser_selected_path(browser, path)) {
+        player_open_file(app, path);
+        browser_close(browser);
+    }
+}
+
 /** Ends the lesson after its last step: shows its end card. */
 static void finish_lesson(App *app) {
     Player *player = &app->player;
@@ -151,6 +161,7 @@ static void finish_lesson(App *app) {
         app->exit.is_requested = true;
         return;
     }
+    window_end_toast(&app->window); // The card says it.
     timeline_pause(&app->timeline, app_clock(app));
     player->state = PLAYER_IS_FINISHED;
     if (!app->settings->load || !lesson_file_next(player->path, player->next_path)) {
@@ -261,7 +272,13 @@ static void press(App *app, const Command *command) {
     if (command_is_move(command)) {
         held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));
     } else if (!is_skipped) {
+        bool shows_settings = app->window.shows_settings;
         command_run(app, command);
+        // What the settings are might answer a question.
+        if (!command_is(command, "settings")) {
+            app->window.shows_settings = shows_settings;
+        }
+        window_end_toast(&app->window);
     }
 }
 
@@ -430,7 +447,7 @@ static void go_to(App *app, size_t stop) {
 static void step_back(App *app) {
     const Player *player = &app->player;
     size_t stop = player->stop < player->lesson->count ? player->stop : 0;
-    bool is_passed = !app_is_lesson_stopped(app);
+    bool is_passed = player->state == PLAYER_RUNS || player->state == PLAYER_IS_FINISHED;
     for (size_t i = stop + is_passed; i-- > 0;) {
         if (is_stop(&player->lesson->steps[i])) {
             stop = i;
@@ -576,6 +593,15 @@ static bool steer(App *app, const Command *command) {
     return true;
 }
 
+/** Handles a command while the end card is shown. @return Whether it steers the lesson. */
+static bool steer_card(App *app, const Command *command) {
+    if (command_is(command, "time back")) {
+        step_back(app);
+    }
+    return command_is(command, "time") || command_is(command, "time back") ||
+           command_is(command, "time on");
+}
+
 /** Says what the viewer can do instead of a command. */
 static void show_refusal(App *app) {
     static const char *const words[] = {[PLAYER_RUNS] = N_("a lesson is played: Space holds it"),
@@ -589,8 +615,11 @@ static void show_refusal(App *app) {
 
 bool player_handle_command(App *app, const Command *command) {
     unsigned flags = command ? command->flags : 0;
-    if (!app_is_playing(app) || (flags & COMMAND_WHILE_PLAYING)) {
+    if (!app->player.lesson || (flags & COMMAND_WHILE_PLAYING)) {
         return false;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED) {
+        return steer_card(app, command);
     }
     if (steer(app, command)) {
         return true;

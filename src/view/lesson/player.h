@@ -4,10 +4,10 @@
  *
  * Space pauses and resumes it. While it is paused, the viewer may move camera and lights; they are
  * put back when it resumes. At a question it waits for an answer, and shows the right one after the
- * steps that follow: predict, observe, explain (Crouch 2004). A step back puts everything to the lesson's beginning, and repeats the steps
- * without drawing; so the view is equal to the bit. With a folder for snapshots it plays
- * unattended: it saves the finished picture at each caption and explanation and never waits, and
- * the window closes at its end.
+ * steps that follow: predict, observe, explain (Crouch 2004). A step back puts everything to the
+ * lesson's beginning, and repeats the steps without drawing; so the view is equal to the bit. With
+ * a folder for snapshots it plays unattended: it saves the finished picture at each caption and
+ * explanation and never waits, and the window closes at its end.
  */
 #ifndef DIOPTRE_VIEW_LESSON_PLAYER_H
 #define DIOPTRE_VIEW_LESSON_PLAYER_H
@@ -23,6 +23,9 @@ void player_end(App *app);
 
 /** Opens a scene or a lesson, unless a lesson plays. @param path Its file. */
 void player_open_file(App *app, const char *path);
+
+/** Opens what is selected in the list of scenes, and closes the list. */
+void player_open_selected(App *app);
 
 /** Does what a button of the lesson's panel has requested. */
 void player_handle_request(App *app);

@@ -6,6 +6,7 @@
 
 #include "base/data_dir.h"
 #include "base/language.h"
+#include "base/lesson_file.h"
 #include "base/scene_name.h"
 #include "render/ray_stack.h"
 
@@ -18,6 +19,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+/** Folder of lessons, beside the scenes. */
+#define LESSON_FOLDER "lessons/"
 /** Niceness of the thread and its children. */
 static const int THREAD_NICENESS = 15;
 
@@ -40,50 +43,35 @@ static int is_scene_file(const struct dirent *entry) {
     return entry->d_name[0] != '.' && scene_format_of(entry->d_name) != SCENE_FORMAT_NONE;
 }
 
-/** Reads the title of a scene: the first sentence of the comment at its beginning. @param[out]
- * title Empty: there is none. */
-static void read_title(const char *path, char title[SCENE_ENTRY_TITLE_SIZE]) {
-    char line[SCENE_ENTRY_TITLE_SIZE];
-    size_t used = 0;
-    FILE *file = fopen(path, "re");
-    title[0] = '\0';
-    while (file && fgets(line, sizeof line, file) && strncmp(line, "-- ", 3) == 0) {
-        line[strcspn(line, "\r\n")] = '\0';
-        int added = snprintf(title + used, SCENE_ENTRY_TITLE_SIZE - used, "%s%s", used ? " " : "",
-                             line + 3);
-        used = SDL_min(used + (size_t)added, SCENE_ENTRY_TITLE_SIZE - 1);
-    }
-    if (file) {
-        fclose(file);
-    }
-    char *end = strstr(title, ". ");
-    if (end) {
-        end[1] = '\0';
-    }
-}
-
-/** Adds a scene. @param[in,out] list Locked, with a free place. @param folder Empty, or with a
- * slash at its end. */
-static void add_entry(SceneList *list, const char *folder, const char *file) {
+/** Adds a scene or a lesson. @param[in,out] list Locked, with a free place. @param folder Empty, or
+ *  with a slash at its end. @param wants_lesson Whether files other than lessons are left out, or
+ *  lessons. */
+static void add_entry(SceneList *list, const char *folder, const char *file, bool wants_lesson) {
     SceneEntry *scene = &list->scenes[list->count];
     size_t size = strlen(folder) + strlen(file) + 1;
-    *scene = (SceneEntry){.path = malloc(size)};
-    if (scene->path) {
-        snprintf(scene->path, size, "%s%s", folder, file);
+    *scene = (SceneEntry){.path = malloc(size), .is_lesson = wants_lesson};
+    if (!scene->path) {
+        return;
+    }
+    snprintf(scene->path, size, "%s%s", folder, file);
+    if (lesson_file_is(scene->path) == wants_lesson) {
         scene_name_from_path(scene->path, scene->name, sizeof scene->name);
+        scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
         list->count++;
+    } else {
+        free(scene->path);
     }
 }
 
-/** Adds the scenes of a folder, sorted by name. @param folder With a slash at its end; empty: the
- * current one. */
-static void list_folder(SceneList *list, const char *folder) {
+/** Adds the scenes or the lessons of a folder, sorted by name. @param folder With a slash at its
+ *  end; empty: the current one. */
+static void list_folder(SceneList *list, const char *folder, bool wants_lessons) {
     struct dirent **files = NULL;
     int count = scandir(folder[0] ? folder : ".", &files, is_scene_file, alphasort);
     scene_list_lock(list);
     for (int i = 0; i < count; i++) {
         if (list->count < SCENE_LIST_MAXIMUM) {
-            add_entry(list, folder, files[i]->d_name);
+            add_entry(list, folder, files[i]->d_name, wants_lessons);
         }
         free(files[i]);
     }
@@ -91,15 +79,24 @@ static void list_folder(SceneList *list, const char *folder) {
     free(files);
 }
 
-/** Finds all scenes. */
+/** Adds the lessons beside the scenes of a folder, then the scenes. @param folder See #list_folder.
+ */
+static void list_lessons_and_scenes(SceneList *list, const char *folder) {
+    char lessons[PATH_MAX + sizeof LESSON_FOLDER];
+    snprintf(lessons, sizeof lessons, "%s" LESSON_FOLDER, folder);
+    list_folder(list, lessons, true);
+    list_folder(list, folder, false);
+}
+
+/** Finds all scenes and lessons. */
 static void find_scenes(SceneList *list) {
     char installed[PATH_MAX + 1], scene_folder[PATH_MAX], installed_folder[PATH_MAX];
-    list_folder(list, list->folder);
+    list_lessons_and_scenes(list, list->folder);
     if (data_dir_scenes(installed) && realpath(installed, installed_folder) &&
         realpath(list->folder[0] ? list->folder : ".", scene_folder) &&
         strcmp(scene_folder, installed_folder) != 0) {
         snprintf(installed, sizeof installed, "%.*s/", PATH_MAX - 1, installed_folder);
-        list_folder(list, installed);
+        list_lessons_and_scenes(list, installed);
     }
 }
 
@@ -132,19 +129,18 @@ static const char *strip_folder(const SceneEntry *scene, const char *message) {
     return strncmp(message, scene->path, length) == 0 ? message + length : message;
 }
 
-/** Loads one scene: its title, and its thumbnail or error. */
+/** Loads one scene: its thumbnail or error. */
 static void load_entry(SceneList *list, size_t index) {
     SceneEntry *scene = &list->scenes[index];
     Picture picture = {0};
     Error error = {0};
-    char title[SCENE_ENTRY_TITLE_SIZE];
-    read_title(scene->path, title);
     draw_thumbnail(list, scene->path, &picture, &error);
     scene_list_lock(list);
     scene->picture = picture;
     scene->is_loaded = true;
-    SDL_strlcpy(scene->title, picture.pixels ? title : strip_folder(scene, error.message),
-                SCENE_ENTRY_TITLE_SIZE);
+    if (!picture.pixels) {
+        SDL_strlcpy(scene->title, strip_folder(scene, error.message), sizeof scene->title);
+    }
     scene_list_unlock(list);
     push_list_event(list);
 }

@@ -6,6 +6,7 @@
 #define DIOPTRE_VIEW_LOADING_SCENE_LIST_H
 
 #include "dioptre/view.h"
+#include "view/loading/scene_title.h"
 
 #include <limits.h>
 #include <pthread.h>
@@ -16,15 +17,16 @@ enum { SCENE_LIST_MAXIMUM = 999 };
 enum { THUMBNAIL_WIDTH = 240 };
 /** Height of a thumbnail, pixels. */
 enum { THUMBNAIL_HEIGHT = 180 };
-/** Bytes of a scene's name and of its title, with the final zero; longer ones are cut. */
-enum { SCENE_ENTRY_NAME_SIZE = 64, SCENE_ENTRY_TITLE_SIZE = 256 };
+/** Bytes of a scene's name with the final zero; a longer one is cut. */
+enum { SCENE_ENTRY_NAME_SIZE = 64 };
 
-/** A scene of the list. */
+/** A scene or a lesson of the list. */
 typedef struct SceneEntry {
-    char *path;                         /**< Its file; owned. */
-    char name[SCENE_ENTRY_NAME_SIZE];   /**< Its name. */
-    char title[SCENE_ENTRY_TITLE_SIZE]; /**< First sentence of its file's comment, or its error. */
-    bool is_loaded;                     /**< Whether it was drawn or has an error. */
+    char *path;                       /**< Its file; owned. */
+    char name[SCENE_ENTRY_NAME_SIZE]; /**< Its name. */
+    char title[SCENE_TITLE_SIZE];     /**< Its title, see #scene_title_read, or its error. */
+    bool is_lesson;                   /**< Whether it is a lesson. */
+    bool is_loaded;                   /**< Whether it was drawn or has an error. */
     Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 

@@ -1,31 +1,48 @@
 /**
  * @file
- * @brief The list of scenes: opening, selecting, closing.
+ * @brief The list of scenes: opening, searching, selecting, closing.
  */
 #include "view/panels/browser.h"
 
 #include <string.h>
 
+/** Lines that Page Up and Page Down go. */
+enum { PAGE_LINES = 3 };
+
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event,
                   const char *path) {
+    SDL_StartTextInput();
     if (scene_list_is_busy(&browser->list)) {
         // Its thread is ending, and sends an event then; until then the previous list is shown.
         browser->is_open = browser->is_reopen_pending = true;
         return true;
     }
+    browser_release_textures(browser);
     scene_list_deinit(&browser->list);
     browser->is_open = scene_list_start(&browser->list, settings, event, path);
-    browser->is_reopen_pending = browser->is_current_selected = false;
+    browser->is_reopen_pending = browser->is_current_selected = browser->is_requested = false;
     SDL_strlcpy(browser->path, path, sizeof browser->path);
-    browser->selected = browser->first_row = 0;
-    overlay_invalidate(&browser->overlay);
+    browser->selected = 0;
+    browser->filter[0] = '\0';
     return browser->is_open;
 }
 
 void browser_close(Browser *browser) {
+    if (browser->is_open) {
+        SDL_StopTextInput();
+    }
     browser->is_open = browser->is_reopen_pending = false;
     scene_list_request_stop(&browser->list);
-    overlay_invalidate(&browser->overlay);
+    browser_release_textures(browser);
+}
+
+void browser_release_textures(Browser *browser) {
+    for (size_t i = 0; i < SCENE_LIST_MAXIMUM; i++) {
+        if (browser->textures[i]) {
+            SDL_DestroyTexture(browser->textures[i]);
+            browser->textures[i] = NULL;
+        }
+    }
 }
 
 void browser_deinit(Browser *browser) {
@@ -33,80 +50,142 @@ void browser_deinit(Browser *browser) {
     scene_list_deinit(&browser->list);
 }
 
-/** @return Number of scenes found by now. */
-static size_t browser_scene_count(Browser *browser) {
-    scene_list_lock(&browser->list);
-    size_t scenes = browser->list.count;
-    scene_list_unlock(&browser->list);
-    return scenes;
-}
+/* --- searching -------------------------------------------------------------------------------- */
 
-/** Selects a scene, and scrolls to it. @param index Clamped to the list. */
-static void browser_select(Browser *browser, long index, const PanelBounds *bounds) {
-    BrowserGrid grid = browser_panel_grid(bounds);
-    long last = (long)browser_scene_count(browser) - 1;
-    browser->selected = (size_t)SDL_max(0, SDL_min(index, last));
-    size_t row = browser->selected / (size_t)grid.columns, rows = (size_t)grid.rows;
-    if (row < browser->first_row) {
-        browser->first_row = row;
-    } else if (row >= browser->first_row + rows) {
-        browser->first_row = row - rows + 1;
+/** @return Whether a text holds some words, small and capital letters being equal. */
+static bool holds(const char *text, const char *words) {
+    const size_t length = strlen(words);
+    for (; *text; text++) {
+        if (SDL_strncasecmp(text, words, length) == 0) {
+            return true;
+        }
     }
-    overlay_invalidate(&browser->overlay);
+    return length == 0;
 }
 
-void browser_select_current(Browser *browser, const PanelBounds *bounds) {
-    size_t scenes = browser_scene_count(browser);
-    for (size_t i = 0; i < scenes && !browser->is_current_selected; i++) {
-        if (strcmp(browser->list.scenes[i].path, browser->path) == 0) {
-            browser_select(browser, (long)i, bounds);
+void browser_order(const Browser *browser, BrowserOrder *order) {
+    order->count = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < browser->list.count; i++) {
+            const SceneEntry *scene = &browser->list.scenes[i];
+            bool is_found =
+                holds(scene->name, browser->filter) || holds(scene->title, browser->filter);
+            if (is_found && scene->is_lesson == (pass == 0)) {
+                order->indices[order->count++] = i;
+            }
+        }
+        order->lessons = pass == 0 ? order->count : order->lessons;
+    }
+}
+
+/** Finds the scenes that are shown, with the list locked meanwhile. */
+static void lock_and_order(Browser *browser, BrowserOrder *order) {
+    order->count = order->lessons = 0;
+    if (browser->list.is_started) {
+        scene_list_lock(&browser->list);
+        browser_order(browser, order);
+        scene_list_unlock(&browser->list);
+    }
+}
+
+/** @return Where the selected scene stands in the order; 0: it is not shown. */
+static size_t selected_position(const Browser *browser, const BrowserOrder *order) {
+    for (size_t i = 0; i < order->count; i++) {
+        if (order->indices[i] == browser->selected) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+/** Selects a scene, and scrolls to it. @param position In the order; clamped. */
+static void select_position(Browser *browser, const BrowserOrder *order, long position) {
+    if (order->count > 0) {
+        long last = (long)order->count - 1;
+        browser->selected = order->indices[SDL_max(0, SDL_min(position, last))];
+        browser->scrolls = true;
+    }
+}
+
+/** Shows only scenes with the words that are searched now, and selects the first of them. */
+static void apply_filter(Browser *browser) {
+    BrowserOrder order;
+    lock_and_order(browser, &order);
+    select_position(browser, &order, 0);
+}
+
+void browser_type(Browser *browser, const char *text) {
+    if (strlen(browser->filter) + strlen(text) < sizeof browser->filter) {
+        SDL_strlcat(browser->filter, text, sizeof browser->filter);
+        apply_filter(browser);
+    }
+}
+
+/** Takes the last character away that was typed. */
+static void erase_character(Browser *browser) {
+    size_t length = strlen(browser->filter);
+    while (length > 0 && (browser->filter[length - 1] & 0xC0) == 0x80) {
+        length--; // A continuation byte of UTF-8.
+    }
+    browser->filter[length > 0 ? length - 1 : 0] = '\0';
+    apply_filter(browser);
+}
+
+/* --- selecting -------------------------------------------------------------------------------- */
+
+void browser_select_current(Browser *browser) {
+    BrowserOrder order;
+    lock_and_order(browser, &order);
+    for (size_t i = 0; i < order.count && !browser->is_current_selected; i++) {
+        if (strcmp(browser->list.scenes[order.indices[i]].path, browser->path) == 0) {
+            select_position(browser, &order, (long)i);
             browser->is_current_selected = true;
         }
     }
-    browser->is_current_selected = browser->is_current_selected || scenes > 0;
+    browser->is_current_selected = browser->is_current_selected || order.count > 0;
 }
 
-BrowserResult browser_key(Browser *browser, SDL_Keycode key, const PanelBounds *bounds) {
-    BrowserGrid grid = browser_panel_grid(bounds);
-    long current = (long)browser->selected, page = (long)grid.columns * grid.rows;
+/** @return The position some lines below. Lessons and scenes begin with lines of their own. @param
+ *  lines Negative: above. */
+static long position_below(const BrowserOrder *order, long position, long columns, int lines) {
+    long lessons = (long)order->lessons, count = (long)order->count;
+    long gap = (columns - lessons % columns) % columns; // Empty places behind the last lesson.
+    long place = (position < lessons ? position : position + gap) + lines * columns;
+    if (place >= lessons && place < lessons + gap) {
+        return lines > 0 || lessons == 0 ? SDL_min(lessons, count - 1) : lessons - 1;
+    }
+    place -= place >= lessons + gap ? gap : 0;
+    return place < 0 ? position : SDL_min(place, count - 1);
+}
+
+BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
+    BrowserOrder order;
+    lock_and_order(browser, &order);
+    const long columns = SDL_max(1, browser->columns);
+    const long current = (long)selected_position(browser, &order);
     const struct {
         SDL_Keycode key;
-        long index;
+        long position;
     } moves[] = {{SDLK_LEFT, current - 1},
                  {SDLK_RIGHT, current + 1},
-                 {SDLK_UP, current - grid.columns},
-                 {SDLK_DOWN, current + grid.columns},
-                 {SDLK_PAGEUP, current - page},
-                 {SDLK_PAGEDOWN, current + page},
+                 {SDLK_UP, position_below(&order, current, columns, -1)},
+                 {SDLK_DOWN, position_below(&order, current, columns, 1)},
+                 {SDLK_PAGEUP, current - PAGE_LINES * columns},
+                 {SDLK_PAGEDOWN, current + PAGE_LINES * columns},
                  {SDLK_HOME, 0},
                  {SDLK_END, SCENE_LIST_MAXIMUM}};
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
         if (moves[i].key == key) {
-            browser_select(browser, moves[i].index, bounds);
+            select_position(browser, &order, moves[i].position);
         }
     }
-    if (key == SDLK_RETURN || key == SDLK_KP_ENTER) {
+    if (key == SDLK_BACKSPACE) {
+        erase_character(browser);
+    }
+    if ((key == SDLK_RETURN || key == SDLK_KP_ENTER) && order.count > 0) {
         return BROWSER_OPEN_SCENE;
     }
-    return key == SDLK_ESCAPE || key == SDLK_f ? BROWSER_CLOSE : BROWSER_KEEP_OPEN;
-}
-
-BrowserResult browser_click(Browser *browser, int x, int y, const PanelBounds *bounds) {
-    BrowserGrid grid = browser_panel_grid(bounds);
-    int column = (x - grid.left) / grid.width, row = (y - grid.top) / grid.height;
-    size_t index =
-        (browser->first_row + (size_t)SDL_max(0, row)) * (size_t)grid.columns + (size_t)column;
-    bool is_inside = x >= grid.left && y >= grid.top && column < grid.columns && row < grid.rows;
-    if (!is_inside || index >= browser_scene_count(browser)) {
-        return BROWSER_KEEP_OPEN;
-    }
-    browser_select(browser, (long)index, bounds);
-    return BROWSER_OPEN_SCENE;
-}
-
-void browser_scroll(Browser *browser, int rows, const PanelBounds *bounds) {
-    browser_select(
-        browser, (long)browser->selected + (long)rows * browser_panel_grid(bounds).columns, bounds);
+    return key == SDLK_ESCAPE ? BROWSER_CLOSE : BROWSER_KEEP_OPEN;
 }
 
 bool browser_selected_path(Browser *browser, char path[PATH_MAX]) {
@@ -115,18 +194,4 @@ bool browser_selected_path(Browser *browser, char path[PATH_MAX]) {
     SDL_strlcpy(path, is_there ? browser->list.scenes[browser->selected].path : "", PATH_MAX);
     scene_list_unlock(&browser->list);
     return is_there;
-}
-
-void browser_show(Browser *browser, const OverlayTarget *target) {
-    if (!browser->is_open) {
-        return;
-    }
-    if (overlay_is_stale(&browser->overlay)) {
-        PanelBounds bounds = overlay_bounds(target);
-        scene_list_lock(&browser->list);
-        SDL_Surface *panel = browser_panel_draw(browser, &bounds);
-        scene_list_unlock(&browser->list);
-        overlay_set_surface(&browser->overlay, target, panel);
-    }
-    overlay_show(&browser->overlay, target);
 }

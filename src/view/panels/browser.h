@@ -1,26 +1,32 @@
 /**
  * @file
- * @brief The list of scenes over the picture: thumbnails, of which one is selected.
+ * @brief The list of lessons and scenes over the picture: thumbnails, of which one is selected.
  */
 #ifndef DIOPTRE_VIEW_PANELS_BROWSER_H
 #define DIOPTRE_VIEW_PANELS_BROWSER_H
 
+#include "view/gui/gui.h"
 #include "view/loading/scene_list.h"
-#include "view/panels/panel.h"
+
+/** Bytes of the words that are searched, with the final zero. */
+enum { BROWSER_FILTER_SIZE = 64 };
 
 /** The list of scenes. Starts as `{0}`: closed. */
 typedef struct Browser {
     SceneList list;         /**< The scenes. */
     bool is_open;           /**< Whether it is shown. */
     bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
-    bool is_current_selected; /**< Whether the scene on screen was searched in it. */
-    char path[PATH_MAX];      /**< File of the scene on screen. */
-    size_t selected;          /**< Index of the selected scene. */
-    size_t first_row;         /**< First visible row. */
-    Overlay overlay;          /**< Its panel. */
+    bool is_current_selected;         /**< Whether the scene on screen was searched in it. */
+    char path[PATH_MAX];              /**< File of the scene on screen. */
+    size_t selected;                  /**< Index of the selected scene. */
+    char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
+    bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
+    bool is_requested;                /**< Whether the selected scene was clicked. */
+    int columns;                      /**< Thumbnails per line in the last frame; 0: none yet. */
+    SDL_Texture *textures[SCENE_LIST_MAXIMUM]; /**< The thumbnails; NULL: not yet; owned. */
 } Browser;
 
-/** Result of a key or a click. */
+/** Result of a key. */
 typedef enum {
     BROWSER_KEEP_OPEN, /**< The list stays open. */
     BROWSER_CLOSE,     /**< The list is to be closed. */
@@ -32,7 +38,7 @@ typedef enum {
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event, const char *path);
 
 /** Selects the scene on screen, once, if it is in the list by now. */
-void browser_select_current(Browser *browser, const PanelBounds *bounds);
+void browser_select_current(Browser *browser);
 
 /** Closes the list, without waiting for its thread. */
 void browser_close(Browser *browser);
@@ -41,38 +47,30 @@ void browser_close(Browser *browser);
 void browser_deinit(Browser *browser);
 
 /** Handles a key. */
-BrowserResult browser_key(Browser *browser, SDL_Keycode key, const PanelBounds *bounds);
+BrowserResult browser_key(Browser *browser, SDL_Keycode key);
 
-/** Handles a click. @param x Pixels of the window. */
-BrowserResult browser_click(Browser *browser, int x, int y, const PanelBounds *bounds);
-
-/** Selects the scene some rows below. @param rows Negative: above. */
-void browser_scroll(Browser *browser, int rows, const PanelBounds *bounds);
+/** Adds what is typed to the words that are searched. @param text UTF-8. */
+void browser_type(Browser *browser, const char *text);
 
 /** @return Whether a scene is selected. @param[out] path Its file. */
 bool browser_selected_path(Browser *browser, char path[PATH_MAX]);
 
-/** Shows the list over the picture, if it is open. */
-void browser_show(Browser *browser, const OverlayTarget *target);
+/** Shows the list, if it is open. @param room The part of the window that it fills. */
+void browser_show(Browser *browser, SDL_Renderer *renderer, const GuiRect *room);
 
-/* --- its layout ------------------------------------------------------------------------------- */
+/** Frees the thumbnails' textures: the graphics device was reset, or the list is closed. */
+void browser_release_textures(Browser *browser);
 
-/** The layout of the thumbnails. All lengths are pixels. */
-typedef struct BrowserGrid {
-    int columns;   /**< Thumbnails per row. */
-    int rows;      /**< Visible rows. */
-    int width;     /**< Width of a thumbnail with its border. */
-    int height;    /**< Height of a thumbnail with its name. */
-    int font_size; /**< Size of the letters. */
-    int left;      /**< Left end of the first column. */
-    int top;       /**< Top of the first row. */
-} BrowserGrid;
+/* --- which scenes are shown ------------------------------------------------------------------- */
 
-/** @return The layout in a window. */
-BrowserGrid browser_panel_grid(const PanelBounds *bounds);
+/** The scenes that are shown, lessons first. */
+typedef struct BrowserOrder {
+    size_t indices[SCENE_LIST_MAXIMUM]; /**< Their indices in the list. */
+    size_t lessons;                     /**< Number of lessons. */
+    size_t count;                       /**< Number of lessons and scenes. */
+} BrowserOrder;
 
-/** @return The list as a panel that fills the window, owned by the caller; NULL without font or
- *  memory. The list must be locked. */
-SDL_Surface *browser_panel_draw(const Browser *browser, const PanelBounds *bounds);
+/** Finds the scenes that are shown. The list must be locked. */
+void browser_order(const Browser *browser, BrowserOrder *order);
 
 #endif

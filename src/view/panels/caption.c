@@ -10,60 +10,68 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Most rows of a caption. */
-enum { CAPTION_ROWS_MAXIMUM = 6 };
-/** Most characters of a row: as many as fit in large letters in a window of 800 pixels. */
-enum { CAPTION_ROW_CHARACTERS = 46 };
-/** Bytes of a caption; a longer one is cut. */
-enum { CAPTION_TEXT_SIZE = 1024 };
-/** Most rows of a notice. */
-enum { NOTICE_ROWS_MAXIMUM = 8 };
-/** Most characters of a row of a notice. */
-enum { NOTICE_ROW_CHARACTERS = 64 };
-/** Factor of the size of a caption's letters. */
-static const double FONT_SCALE = 1.4;
+/** Bytes of a caption's heading; a longer one is cut. */
+enum { HEADING_SIZE = 256 };
+/** Widest caption, in heights of letters: lines that are easy to read. */
+static const float WIDTH_MAXIMUM = 34;
 
 void caption_close(Caption *caption) {
     caption->text = (LessonText){0};
-    overlay_invalidate(&caption->overlay);
+}
+
+bool caption_is_open(const Caption *caption) {
+    return caption->text.english || caption->text.french;
 }
 
 /** Writes the heading. */
-static void caption_write_heading(const Caption *caption, char *text, size_t size) {
+static void write_heading(const Caption *caption, char text[HEADING_SIZE]) {
     const char *title = lesson_text_localized(&caption->title, language_is_french());
     const char *hint = caption->hint ? gettext(caption->hint) : "";
     const char *gap = caption->hint && caption->number > 0 ? " — " : "";
     if (caption->number > 0) {
-        snprintf(text, size, "%s%s%zu/%zu%s%s", title, *title ? ", " : "", caption->number,
+        snprintf(text, HEADING_SIZE, "%s%s%zu/%zu%s%s", title, *title ? ", " : "", caption->number,
                  caption->count, gap, hint);
     } else {
-        snprintf(text, size, "%s", hint);
+        snprintf(text, HEADING_SIZE, "%s", hint);
     }
 }
 
-/** Draws the caption. */
-static void caption_draw(Caption *caption, const OverlayTarget *target) {
-    char text[CAPTION_TEXT_SIZE], heading[CAPTION_TEXT_SIZE];
-    PanelRow rows[CAPTION_ROWS_MAXIMUM + 1];
-    const OverlayTarget large = {target->renderer, target->scale * FONT_SCALE,
-                                 target->width_fraction, target->top};
-    caption_write_heading(caption, heading, sizeof heading);
-    rows[0] = (PanelRow){.is_heading = true, .text = heading};
-    snprintf(text, sizeof text, "%s", lesson_text_localized(&caption->text, language_is_french()));
-    size_t headings = heading[0] ? 1 : 0;
-    size_t count =
-        headings + word_wrap(text, CAPTION_ROW_CHARACTERS, rows + headings, CAPTION_ROWS_MAXIMUM);
-    overlay_draw(&caption->overlay, &large, rows, count);
+/** Writes the rows. @return Their number. */
+static size_t write_rows(const Caption *caption, char heading[HEADING_SIZE], GuiRow rows[2]) {
+    size_t count = 0;
+    write_heading(caption, heading);
+    if (heading[0] != '\0') {
+        rows[count++] = (GuiRow){.is_heading = true, .text = heading};
+    }
+    rows[count++] = (GuiRow){.text = lesson_text_localized(&caption->text, language_is_french())};
+    return count;
 }
 
-void caption_show(Caption *caption, const OverlayTarget *target) {
-    if (!caption->text.english && !caption->text.french) {
-        return;
+/** @return A room that is no wider than a text should be. */
+static GuiRect narrowed(const GuiRect *room) {
+    GuiRect part = *room;
+    part.width = SDL_min(room->width, WIDTH_MAXIMUM * gui_text_size());
+    part.x += (room->width - part.width) / 2;
+    return part;
+}
+
+float caption_height(const Caption *caption, float width) {
+    char heading[HEADING_SIZE];
+    GuiRow rows[2];
+    size_t count = write_rows(caption, heading, rows);
+    return gui_rows_panel_height(rows, count, SDL_min(width, WIDTH_MAXIMUM * gui_text_size()));
+}
+
+GuiRect caption_show(const Caption *caption, const GuiRect *room) {
+    char heading[HEADING_SIZE];
+    GuiRow rows[2];
+    GuiRect extent = {0};
+    if (caption_is_open(caption)) {
+        size_t count = write_rows(caption, heading, rows);
+        const GuiPlace place = {narrowed(room), 0.5F, caption->is_above ? 0 : 1};
+        gui_rows_panel("caption", &place, rows, count, (GuiCell){-1, 0}, &extent);
     }
-    if (overlay_is_stale(&caption->overlay)) {
-        caption_draw(caption, target);
-    }
-    overlay_show(&caption->overlay, target);
+    return extent;
 }
 
 bool notice_set(Notice *notice, const char *text) {
@@ -71,20 +79,15 @@ bool notice_set(Notice *notice, const char *text) {
         return false;
     }
     snprintf(notice->text, NOTICE_SIZE, "%s", text);
-    overlay_invalidate(&notice->overlay);
     return true;
 }
 
-void notice_show(Notice *notice, const OverlayTarget *target) {
-    if (notice->text[0] == '\0') {
-        return;
+float notice_show(const Notice *notice, const GuiRect *room) {
+    GuiRect extent = {0};
+    if (notice->text[0] != '\0') {
+        const GuiRow row = {.text = notice->text, .label = "⚠", .color = GUI_COLOR_ERROR};
+        const GuiPlace place = {narrowed(room), 0.5F, 1};
+        gui_rows_panel("notice", &place, &row, 1, (GuiCell){-1, 0}, &extent);
     }
-    if (overlay_is_stale(&notice->overlay)) {
-        char text[NOTICE_SIZE];
-        PanelRow rows[NOTICE_ROWS_MAXIMUM];
-        memcpy(text, notice->text, sizeof text);
-        size_t count = word_wrap(text, NOTICE_ROW_CHARACTERS, rows, NOTICE_ROWS_MAXIMUM);
-        overlay_draw(&notice->overlay, target, rows, count);
-    }
-    overlay_show(&notice->overlay, target);
+    return extent.height;
 }

@@ -1,10 +1,11 @@
 /**
  * @file
- * @brief The help: the list of keys, in as many columns as make its letters largest.
+ * @brief The help: the list of keys, and the drawn keyboard above it.
  */
 #include "view/panels/help.h"
 
-#include "view/window/font.h"
+#include "base/language.h"
+#include "view/gui/typeface.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -12,14 +13,18 @@
 
 /** Width of the keys' column on standard output, characters. */
 static const int KEY_COLUMN_WIDTH = 22;
-/** Most columns of the list. */
-enum { HELP_COLUMNS_MAXIMUM = 4 };
-/** Largest fraction of a window's height for the keyboard. */
-static const double KEYBOARD_HEIGHT_FRACTION = 0.45;
+/** Largest part of the panel's height for the keyboard. */
+static const float KEYBOARD_HEIGHT_FRACTION = 0.48F;
+/** Rows that Page Up and Page Down go. */
+enum { PAGE_ROWS = 8 };
+/** Bytes of the line below the keyboard with the final zero. */
+enum { LINE_SIZE = 256 };
+/** Lines of text below the keyboard. */
+enum { LINES_BELOW = 2 };
 
 /* --- the list of keys ------------------------------------------------------------------------- */
 
-int help_tint(const Help *help, const Command *command) {
+int help_group(const Help *help, const Command *command) {
     int number = 0;
     const char *group = NULL;
     for (const Command *row = help->commands; row <= command; row++) {
@@ -42,189 +47,176 @@ static const char *key_name(const CommandKey *key, bool by_letter) {
     return printed[0] != '\0' ? printed : SDL_GetScancodeName(key->scancode);
 }
 
-void help_key_names(const Command *command, bool by_letter, char *text, size_t size) {
+/** Appends a name to a label. @return Whether there is one. */
+static bool add_key_name(const char *name, char *text, size_t size) {
     size_t used = strlen(text);
+    SDL_snprintf(text + used, size - used, "%s%s", used > 0 && name[0] != '\0' ? GUI_KEY_GAP : "",
+                 name);
+    return name[0] != '\0';
+}
+
+void help_key_names(const Command *command, bool by_letter, char *text, size_t size) {
     for (int i = 0; i < COMMAND_KEYS; i++) {
-        const char *name = key_name(&command->keys[i], by_letter);
-        const char *gap = used > 0 && name[0] != '\0' ? "  " : "";
-        SDL_snprintf(text + used, size - used, "%s%s", gap, name);
-        used = strlen(text);
+        add_key_name(key_name(&command->keys[i], by_letter), text, size);
     }
 }
 
-size_t help_write_rows(const Help *help, PanelRow rows[HELP_ROWS_MAXIMUM]) {
-    size_t count = 0;
+/** Adds a row. @return Its index; the last one's if all are used. */
+static size_t add_row(HelpList *list, const GuiRow *row) {
+    size_t index = list->count < HELP_ROWS_MAXIMUM ? list->count++ : HELP_ROWS_MAXIMUM - 1;
+    list->rows[index] = *row;
+    list->key_counts[index] = 0;
+    return index;
+}
+
+/** Adds the keys of a command to the last row. */
+static void add_keys(const Help *help, HelpList *list, const Command *command) {
+    size_t last = list->count - 1;
+    GuiRow *row = &list->rows[last];
+    row->is_clickable = row->is_clickable || command->name;
+    for (int i = 0; i < COMMAND_KEYS; i++) {
+        int *count = &list->key_counts[last];
+        if (*count < HELP_KEYS_MAXIMUM && add_key_name(key_name(&command->keys[i], help->by_letter),
+                                                       row->label, GUI_LABEL_SIZE)) {
+            list->commands[last][(*count)++] = command->name ? command : NULL;
+        }
+    }
+}
+
+void help_write_list(const Help *help, HelpList *list) {
     const Command *previous = NULL;
+    list->count = 0;
     for (const Command *command = help->commands; command_is_row(command); command++) {
         if (!command->group) {
             continue;
         }
         bool is_new_group = !previous || strcmp(previous->group, command->group) != 0;
         bool is_new_row = is_new_group || strcmp(previous->help, command->help) != 0;
-        int tint = help_tint(help, command);
-        if (is_new_group && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] =
-                (PanelRow){.is_heading = true, .text = gettext(command->group), .tint = tint};
+        GuiColor color = gui_group_color(help_group(help, command));
+        if (is_new_group) {
+            add_row(list,
+                    &(GuiRow){.is_heading = true, .text = gettext(command->group), .color = color});
         }
-        if (is_new_row && count < HELP_ROWS_MAXIMUM) {
-            rows[count++] = (PanelRow){.text = gettext(command->help), .tint = tint};
+        if (is_new_row) {
+            add_row(list,
+                    &(GuiRow){.has_keys = true, .text = gettext(command->help), .color = color});
         }
-        help_key_names(command, help->by_letter, rows[count - 1].label, PANEL_LABEL_SIZE);
+        add_keys(help, list, command);
         previous = command;
     }
-    return count;
 }
-
-/* --- columns ---------------------------------------------------------------------------------- */
-
-/** The list, broken into columns at headings. */
-typedef struct HelpColumns {
-    PanelRow rows[HELP_ROWS_MAXIMUM];        /**< All rows. */
-    size_t count;                            /**< Their number. */
-    int column_count;                        /**< Number of columns. */
-    size_t starts[HELP_COLUMNS_MAXIMUM + 1]; /**< First row of each, then the number of rows. */
-    int font_size;                           /**< Size of the letters, pixels. */
-} HelpColumns;
-
-/** @return The first heading at or after a row; the number of rows: none. */
-static size_t next_heading_row(const HelpColumns *list, size_t row) {
-    while (row < list->count && !list->rows[row].is_heading) {
-        row++;
-    }
-    return row;
-}
-
-/** Breaks the list into columns of about equal length. */
-static void split_columns(HelpColumns *list, int columns) {
-    list->column_count = columns;
-    list->starts[0] = 0;
-    for (int i = 1; i <= columns; i++) {
-        size_t even = list->count * (size_t)i / (size_t)columns;
-        size_t heading = next_heading_row(list, even), before = even;
-        while (before > list->starts[i - 1] && !list->rows[before].is_heading) {
-            before--;
-        }
-        bool is_before = before > list->starts[i - 1] && even - before < heading - even;
-        list->starts[i] = i == columns ? list->count : is_before ? before : heading;
-    }
-}
-
-/** @return Size of the largest letters with which the columns fit side by side, pixels; 0 without
- *  font. */
-static int columns_font_size(const HelpColumns *list, const PanelBounds *bounds) {
-    const PanelBounds part = {bounds->width / list->column_count, bounds->height, bounds->scale};
-    int size = 0;
-    for (int i = 0; i < list->column_count; i++) {
-        size_t count = list->starts[i + 1] - list->starts[i];
-        int own = count > 0 ? panel_font_size(list->rows + list->starts[i], count, &part) : 0;
-        size = i == 0 || own < size ? own : size;
-    }
-    return size;
-}
-
-/** Chooses the number of columns with which letters are largest. */
-static void choose_columns(HelpColumns *list, const PanelBounds *bounds) {
-    int best = 1;
-    for (int columns = 1; columns <= HELP_COLUMNS_MAXIMUM; columns++) {
-        split_columns(list, columns);
-        int size = columns_font_size(list, bounds);
-        if (size > list->font_size) {
-            list->font_size = size;
-            best = columns;
-        }
-    }
-    split_columns(list, best);
-}
-
-/** Draws each column. @param[out] panels Their panels, owned by the caller; NULL: none. @return
- *  Their size side by side, pixels. */
-static SDL_Point draw_columns(const HelpColumns *list, SDL_Surface *panels[HELP_COLUMNS_MAXIMUM]) {
-    SDL_Point extent = {0, 0};
-    for (int i = 0; i < list->column_count; i++) {
-        size_t first = list->starts[i];
-        panels[i] =
-            panel_draw_at_size(list->rows + first, list->starts[i + 1] - first, list->font_size);
-        if (panels[i]) {
-            extent.x += panels[i]->w;
-            extent.y = SDL_max(extent.y, panels[i]->h);
-        }
-    }
-    return extent;
-}
-
-/** Copies the columns to the panel, and frees them. @param left Left end of the first. */
-static void blit_columns(SDL_Surface *panel, int top, int left, SDL_Surface **columns, int count) {
-    for (int i = 0; i < count; i++) {
-        if (columns[i]) {
-            SDL_Rect destination = {.x = left, .y = top};
-            left += columns[i]->w;
-            SDL_SetSurfaceBlendMode(columns[i], SDL_BLENDMODE_NONE);
-            SDL_BlitSurface(columns[i], NULL, panel, &destination);
-            SDL_FreeSurface(columns[i]);
-        }
-    }
-}
-
-SDL_Surface *help_draw(const Help *help, const PanelBounds *bounds) {
-    HelpColumns list = {.column_count = 1};
-    SDL_Surface *columns[HELP_COLUMNS_MAXIMUM] = {NULL};
-    SDL_Point keyboard =
-        keyboard_diagram_size(bounds->width - 8, (int)(bounds->height * KEYBOARD_HEIGHT_FRACTION));
-    // Letters are as large as in the whole window, where they fit below the keyboard.
-    const int height = SDL_max(1, bounds->height - keyboard.y - 8);
-    const PanelBounds below = {bounds->width, height, bounds->scale * bounds->height / height};
-    list.count = help_write_rows(help, list.rows);
-    choose_columns(&list, &below);
-    if (list.font_size == 0) {
-        return NULL;
-    }
-    SDL_Point extent = draw_columns(&list, columns);
-    int width = SDL_max(extent.x, keyboard.x + 8), top = keyboard.y > 0 ? keyboard.y + 8 : 0;
-    SDL_Surface *panel = panel_create(width, top + extent.y);
-    if (panel) {
-        blit_columns(panel, top, (width - extent.x) / 2, columns, list.column_count);
-        SDL_Rect area = {(width - keyboard.x) / 2, 4, keyboard.x, keyboard.y};
-        if (keyboard.y > 0) {
-            keyboard_diagram_draw(panel, &area, help);
-        }
-    }
-    return panel;
-}
-
-/* --- opening and showing ---------------------------------------------------------------------- */
 
 /** Prints the list of keys. */
 static void print_help(const Help *help) {
-    PanelRow rows[HELP_ROWS_MAXIMUM];
-    size_t count = help_write_rows(help, rows);
-    for (size_t i = 0; i < count; i++) {
-        if (rows[i].is_heading) {
-            printf("%s\n", rows[i].text);
+    HelpList list;
+    help_write_list(help, &list);
+    for (size_t i = 0; i < list.count; i++) {
+        const GuiRow *row = &list.rows[i];
+        if (row->is_heading) {
+            printf("%s\n", row->text);
         } else {
             // printf counts bytes; an arrow has three.
-            size_t extra = strlen(rows[i].label) - SDL_utf8strlen(rows[i].label);
-            printf("  %-*s %s\n", KEY_COLUMN_WIDTH + (int)extra, rows[i].label, rows[i].text);
+            size_t extra = strlen(row->label) - SDL_utf8strlen(row->label);
+            printf("  %-*s %s\n", KEY_COLUMN_WIDTH + (int)extra, row->label, row->text);
         }
     }
     fflush(stdout);
 }
 
+/* --- opening and showing ---------------------------------------------------------------------- */
+
 bool help_toggle(Help *help) {
     bool is_wanted = !help->is_open;
-    help->is_open = is_wanted && font_is_available();
+    help->is_open = is_wanted && typeface_find();
+    help->selected = (GuiCell){-1, 0};
     if (is_wanted && !help->is_open) {
         print_help(help);
     }
     return help->is_open == is_wanted;
 }
 
-void help_show(Help *help, const OverlayTarget *target) {
+/** @return The command of a cell; NULL: none. */
+static const Command *command_at(const HelpList *list, GuiCell cell) {
+    bool is_there = cell.row >= 0 && (size_t)cell.row < list->count && cell.key >= 0 &&
+                    cell.key < list->key_counts[cell.row];
+    return is_there ? list->commands[cell.row][cell.key] : NULL;
+}
+
+/** Selects the next row that can be run. @param step 1: below; -1: above. */
+static void select_row(Help *help, const HelpList *list, int step) {
+    for (int row = help->selected.row + step; row >= 0 && row < (int)list->count; row += step) {
+        if (list->rows[row].is_clickable) {
+            help->selected = (GuiCell){row, 0};
+            return;
+        }
+    }
+}
+
+bool help_handle_key(Help *help, SDL_Keycode key) {
+    static const struct {
+        SDL_Keycode key;
+        int rows;
+    } moves[] = {{SDLK_UP, -1},
+                 {SDLK_DOWN, 1},
+                 {SDLK_PAGEUP, -PAGE_ROWS},
+                 {SDLK_PAGEDOWN, PAGE_ROWS},
+                 {SDLK_HOME, -HELP_ROWS_MAXIMUM},
+                 {SDLK_END, HELP_ROWS_MAXIMUM}};
+    HelpList list;
+    help_write_list(help, &list);
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
+        for (int row = 0; key == moves[i].key && row < SDL_abs(moves[i].rows); row++) {
+            select_row(help, &list, moves[i].rows > 0 ? 1 : -1);
+        }
+        if (key == moves[i].key) {
+            return true;
+        }
+    }
+    if (key == SDLK_LEFT || key == SDLK_RIGHT) {
+        int row = SDL_max(0, help->selected.row), count = list.key_counts[row];
+        int next = help->selected.key + (key == SDLK_RIGHT ? 1 : -1);
+        help->selected.key = SDL_max(0, SDL_min(next, count - 1));
+        return true;
+    }
+    if (key == SDLK_RETURN || key == SDLK_KP_ENTER) {
+        help->requested = command_at(&list, help->selected);
+        return true;
+    }
+    return false;
+}
+
+/** Writes what a key does, or how the help is used. @param row Row of the key; NULL: none. */
+static void show_line(const Command *row) {
+    char line[LINE_SIZE];
+    if (!row) {
+        gui_paragraph(gettext("Click a key or a row, or choose a row with ↑ ↓ and press Enter."),
+                      GUI_COLOR_FAINT, LINES_BELOW);
+        return;
+    }
+    const char *word = key_action_label(row), *help = row->help ? gettext(row->help) : "";
+    bool has_both = help[0] != '\0' && strcmp(word, help) != 0;
+    SDL_snprintf(line, sizeof line, "%s%s%s", word, has_both ? " — " : "", has_both ? help : "");
+    gui_paragraph(line, GUI_COLOR_TEXT, LINES_BELOW);
+}
+
+void help_show(Help *help, const GuiRect *room) {
     if (!help->is_open) {
         return;
     }
-    if (overlay_is_stale(&help->overlay)) {
-        PanelBounds bounds = overlay_bounds(target);
-        overlay_set_surface(&help->overlay, target, help_draw(help, &bounds));
+    HelpList list;
+    help_write_list(help, &list);
+    const Command *selected = command_at(&list, help->selected), *hovered = NULL;
+    gui_panel_begin("help", room);
+    const Command *clicked =
+        keyboard_diagram_show(help, KEYBOARD_HEIGHT_FRACTION * room->height, selected, &hovered);
+    show_line(hovered ? hovered : selected);
+    GuiCell cell = gui_rows(list.rows, list.count, help->selected);
+    gui_panel_end();
+    if (cell.row >= 0) {
+        help->selected = cell;
+        clicked = command_at(&list, cell);
     }
-    overlay_show(&help->overlay, target);
+    if (clicked && clicked->name) {
+        help->requested = clicked;
+    }
 }

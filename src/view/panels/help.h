@@ -1,52 +1,66 @@
 /**
  * @file
- * @brief The help over the picture: the drawn keyboard, and the list of keys.
+ * @brief The help over the picture: the drawn keyboard, and the list of keys; both can be clicked.
  */
 #ifndef DIOPTRE_VIEW_PANELS_HELP_H
 #define DIOPTRE_VIEW_PANELS_HELP_H
 
-#include "view/panels/panel.h"
+#include "view/gui/gui.h"
 #include "view/state/command.h"
 
 /** Most rows of the list of keys. */
-enum { HELP_ROWS_MAXIMUM = 48 };
+enum { HELP_ROWS_MAXIMUM = 64 };
+/** Most keys of a row. */
+enum { HELP_KEYS_MAXIMUM = 8 };
 
 /** The help. Starts as `{.commands = ...}`: closed. */
 typedef struct Help {
-    const Command *commands; /**< All commands. */
-    bool by_letter;          /**< See #command_find_key. */
-    bool is_open;            /**< Whether it is shown. */
-    Overlay overlay;         /**< Its panel. */
+    const Command *commands;  /**< All commands. */
+    bool by_letter;           /**< See #command_find_key. */
+    bool is_open;             /**< Whether it is shown. */
+    GuiCell selected;         /**< The row and the key that Enter runs; row -1: none. */
+    const Command *requested; /**< The command that a click or Enter requests; NULL: none. */
 } Help;
 
-/** Opens or closes the help. @return false if it cannot be opened, as there is no font: it is
+/** The list of keys. */
+typedef struct HelpList {
+    GuiRow rows[HELP_ROWS_MAXIMUM];                                /**< Its rows. */
+    const Command *commands[HELP_ROWS_MAXIMUM][HELP_KEYS_MAXIMUM]; /**< The command of each key. */
+    int key_counts[HELP_ROWS_MAXIMUM];                             /**< Number of keys. */
+    size_t count;                                                  /**< Number of rows. */
+} HelpList;
+
+/** Opens or closes the help. @return false if it cannot be opened, as there is no typeface: it is
  *  printed on standard output instead. */
 bool help_toggle(Help *help);
 
-/** Appends the names of a command's keys, as on the keyboard in use. @param by_letter See
- *  #command_find_key. */
+/** Handles a key that selects a row, or runs it. @return Whether it is one. */
+bool help_handle_key(Help *help, SDL_Keycode key);
+
+/** Appends the names of a command's keys, as on the keyboard in use, parted by #GUI_KEY_GAP.
+ *  @param by_letter See #command_find_key. */
 void help_key_names(const Command *command, bool by_letter, char *text, size_t size);
 
-/** Shows the help over the picture, if it is open. */
-void help_show(Help *help, const OverlayTarget *target);
+/** Writes the list of keys, named as on the keyboard in use. */
+void help_write_list(const Help *help, HelpList *list);
 
-/** Writes the list of keys, named as on the keyboard in use. @return Number of rows. */
-size_t help_write_rows(const Help *help, PanelRow rows[HELP_ROWS_MAXIMUM]);
+/** Shows the help, if it is open. @param room The part of the window that it fills. */
+void help_show(Help *help, const GuiRect *room);
 
-/** @return The help as a panel, owned by the caller; NULL without font or memory. */
-SDL_Surface *help_draw(const Help *help, const PanelBounds *bounds);
-
-/** @return The tint of a command's group, from 1. */
-int help_tint(const Help *help, const Command *command);
+/** @return The number of a command's group, from 1. */
+int help_group(const Help *help, const Command *command);
 
 /* --- the drawn keyboard ----------------------------------------------------------------------- */
 
-/** @return Size of the drawn keyboard in a space: as wide as the space, unless that is too low.
- *  Height 0: its keys would be too small to be read. */
-SDL_Point keyboard_diagram_size(int width, int height);
-
-/** Draws the keyboard in use. @param area Of the size that #keyboard_diagram_size returns. */
-void keyboard_diagram_draw(SDL_Surface *panel, const SDL_Rect *area, const Help *help);
+/**
+ * Draws the keyboard in use, unless its keys would be too small to be read.
+ * @param height   Largest height, units of the window.
+ * @param marked   Command whose keys are marked; NULL: none.
+ * @param[out] hovered  Command of the key under the mouse; NULL: none.
+ * @return The command of the key that was clicked; NULL: none.
+ */
+const Command *keyboard_diagram_show(const Help *help, float height, const Command *marked,
+                                     const Command **hovered);
 
 /** @return What a key does, in a word, translated. @param row Its row; NULL: it does nothing. */
 const char *key_action_label(const Command *row);

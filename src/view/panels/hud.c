@@ -14,22 +14,20 @@
 
 /** Minimum seconds between two changes while a picture is drawn. */
 static const double UPDATE_INTERVAL = 0.2;
-/** Factor of the size of letters: the panel must not hide the picture. */
-static const double FONT_SCALE = 0.7;
 
 /** Adds a row. @param format Its text, as for printf. @return The row; the last one if all rows are
  *  used. */
-static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
+static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-static PanelRow *hud_add_row(Hud *hud, const char *label, const char *format, ...) {
+static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...) {
     size_t index = hud->count < HUD_ROWS ? hud->count++ : HUD_ROWS - 1;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(hud->row_texts[index], HUD_TEXT_SIZE, format, arguments);
     va_end(arguments);
-    hud->rows[index] = (PanelRow){.text = hud->row_texts[index]};
-    SDL_strlcpy(hud->rows[index].label, label, PANEL_LABEL_SIZE);
+    hud->rows[index] = (GuiRow){.text = hud->row_texts[index]};
+    SDL_strlcpy(hud->rows[index].label, label, GUI_LABEL_SIZE);
     return &hud->rows[index];
 }
 
@@ -115,28 +113,22 @@ void hud_update(Hud *hud, const HudContent *content, double now) {
     if (now < hud->next_update_time && !content->viewport->report.is_finished) {
         return;
     }
-    hud->width_fraction = content->title ? 0.5 : 1;
     write_rows(&next, content);
     if (!hud_is_equal(hud, &next)) {
-        overlay_invalidate(&hud->overlay);
         write_rows(hud, content);
         hud->next_update_time = now + UPDATE_INTERVAL;
     }
 }
 
-void hud_show(Hud *hud, const OverlayTarget *target) {
+GuiRect hud_show(const Hud *hud, const char *id, const GuiPlace *place) {
+    GuiRect extent = {place->room.x, place->room.y, 0, 0};
     if (hud->count > 0) {
-        if (overlay_is_stale(&hud->overlay)) {
-            OverlayTarget smaller = {target->renderer, target->scale * FONT_SCALE,
-                                     hud->width_fraction, target->top};
-            overlay_draw(&hud->overlay, &smaller, hud->rows, hud->count);
-        }
-        overlay_show(&hud->overlay, target);
+        gui_rows_panel(id, place, hud->rows, hud->count, (GuiCell){-1, 0}, &extent);
     }
+    return extent;
 }
 
 void hud_invalidate(Hud *hud) {
-    overlay_invalidate(&hud->overlay);
     hud->next_update_time = 0;
 }
 

@@ -5,36 +5,34 @@
 #ifndef DIOPTRE_VIEW_PANELS_HUD_H
 #define DIOPTRE_VIEW_PANELS_HUD_H
 
-#include "view/panels/panel.h"
+#include "view/gui/gui.h"
 #include "view/window/viewport.h"
 
 /** Most rows, and bytes of a row with the final zero. */
 enum { HUD_ROWS = 28, HUD_TEXT_SIZE = 96 };
 
-/** The panel on a picture. Starts as `{.overlay = {.anchor = ...}}`. */
+/** The panel on a picture. Starts as `{0}`. */
 typedef struct Hud {
-    Overlay overlay;                         /**< Its texture. */
-    PanelRow rows[HUD_ROWS];                 /**< Its rows. */
+    GuiRow rows[HUD_ROWS];                   /**< Its rows. */
     char row_texts[HUD_ROWS][HUD_TEXT_SIZE]; /**< Texts of the rows. */
     size_t count;                            /**< Number of rows. */
-    double width_fraction;                   /**< Largest fraction of the window's width. */
     double next_update_time;                 /**< Earliest time of the next change, seconds. */
 } Hud;
 
 /** The content of the panel. */
 typedef struct HudContent {
-    const Viewport *viewport;        /**< The picture. */
-    const char *title;               /**< Its name, in English; NULL: there is only one picture. */
-    bool shows_settings;             /**< Whether settings and cost are shown. */
+    const Viewport *viewport; /**< The picture. */
+    const char *title;        /**< Its name, in English; NULL: there is only one picture. */
+    bool shows_settings;      /**< Whether settings and cost are shown. */
 } HudContent;
 
 /** Updates the panel, at most a few times per second, so that it can be read. */
 void hud_update(Hud *hud, const HudContent *content, double now);
 
-/** Shows the panel, if it has rows. */
-void hud_show(Hud *hud, const OverlayTarget *target);
+/** Shows the panel, if it has rows. @param id Unique in the window. @return Where it lies. */
+GuiRect hud_show(const Hud *hud, const char *id, const GuiPlace *place);
 
-/** Has the panel drawn again: language or size of letters have changed. */
+/** Has the panel written anew: the language has changed. */
 void hud_invalidate(Hud *hud);
 
 /* --- the window's title ----------------------------------------------------------------------- */

@@ -7,16 +7,16 @@
  */
 #include "base/language.h"
 #include "view/panels/help.h"
-#include "view/window/font.h"
 
 #include <libintl.h>
+#include <math.h>
 
 /** Width of the keyboard, quarters of a key. */
 static const int KEYBOARD_WIDTH = 73;
 /** Height of the keyboard, quarters of a key. */
 static const int KEYBOARD_HEIGHT = 25;
-/** Smallest readable key, pixels. */
-static const int MINIMUM_KEY_SIZE = 28;
+/** Smallest key that is drawn, in heights of letters. */
+static const float SMALLEST_KEY = 1.4F;
 
 /** The layouts that have a key. */
 typedef enum {
@@ -44,7 +44,6 @@ typedef struct KeyRow {
 
 /** All keys of equal size. */
 static const KeyRow key_rows[] = {
-    {0, 0, {SDL_SCANCODE_ESCAPE}},
     {8, 0, {SDL_SCANCODE_F1, SDL_SCANCODE_F2, SDL_SCANCODE_F3, SDL_SCANCODE_F4}},
     {26, 0, {SDL_SCANCODE_F5, SDL_SCANCODE_F6, SDL_SCANCODE_F7, SDL_SCANCODE_F8}},
     {44, 0, {SDL_SCANCODE_F9, SDL_SCANCODE_F10, SDL_SCANCODE_F11, SDL_SCANCODE_F12}},
@@ -76,6 +75,7 @@ static const KeyRow key_rows[] = {
 
 /** All other keys. */
 static const KeyShape special_keys[] = {
+    {SDL_SCANCODE_ESCAPE, 0, 0, 6, 4, LAYOUT_ANY},
     {SDL_SCANCODE_BACKSPACE, 52, 5, 8, 4, LAYOUT_ANY},
     {SDL_SCANCODE_TAB, 0, 9, 6, 4, LAYOUT_ANY},
     {SDL_SCANCODE_BACKSLASH, 54, 9, 6, 4, LAYOUT_ANSI},
@@ -97,61 +97,20 @@ static const KeyShape special_keys[] = {
     {SDL_SCANCODE_RCTRL, 55, 21, 5, 4, LAYOUT_ANY},
 };
 
-/** Where the keyboard is drawn, and its font. */
+/** Where the keyboard is drawn, and what the mouse does with it. */
 typedef struct KeyboardPainter {
-    SDL_Surface *surface; /**< The surface. */
-    SDL_Point origin;     /**< Upper left corner, pixels. */
-    double quarter_key;   /**< Pixels of a quarter of a key. */
-    TTF_Font *font;       /**< The font; owned. */
-    const Help *help;     /**< The commands. */
+    GuiPoint origin;        /**< Upper left corner, units of the window. */
+    float quarter_key;      /**< Units of a quarter of a key. */
+    const Help *help;       /**< The commands. */
+    const Command *marked;  /**< Command whose keys are marked; NULL: none. */
+    const Command *hovered; /**< Command under the mouse; NULL: none. */
+    const Command *clicked; /**< Command of the key that was clicked; NULL: none. */
 } KeyboardPainter;
 
-/** @return Pixels of a quarter of a key in a space. */
-static double quarter_key_size(int width, int height) {
-    return fmin((double)width / KEYBOARD_WIDTH, (double)height / KEYBOARD_HEIGHT);
-}
-
-SDL_Point keyboard_diagram_size(int width, int height) {
-    double pixels = quarter_key_size(width, height);
-    if (4 * pixels < MINIMUM_KEY_SIZE || !font_is_available()) {
-        return (SDL_Point){0, 0};
-    }
-    return (SDL_Point){(int)(KEYBOARD_WIDTH * pixels), (int)(KEYBOARD_HEIGHT * pixels)};
-}
-
-/** Fills a part of the panel. */
-static void fill_rect(const KeyboardPainter *painter, const SDL_Rect *area, SDL_Color color) {
-    SDL_FillRect(painter->surface, area,
-                 SDL_MapRGBA(painter->surface->format, color.r, color.g, color.b, color.a));
-}
-
-/** @return A darker colour. */
-static SDL_Color dim_color(SDL_Color color, double factor) {
-    return (SDL_Color){(Uint8)(color.r * factor), (Uint8)(color.g * factor),
-                       (Uint8)(color.b * factor), color.a};
-}
-
-/** Writes a text centred in a line, in smaller letters where it is too wide. */
-static void draw_fitted_text(const KeyboardPainter *painter, const char *text, const SDL_Rect *line,
-                             SDL_Color color) {
-    /** Smallest size of letters, pixels. */
-    const int smallest = 6;
-    int size = SDL_max(smallest, line->h);
-    TTF_SetFontSize(painter->font, size);
-    while (size > smallest && font_text_width(painter->font, text) > line->w) {
-        TTF_SetFontSize(painter->font, --size);
-    }
-    int x = line->x + (line->w - font_text_width(painter->font, text)) / 2;
-    font_draw_text(painter->surface, painter->font, text, color, x, line->y + (line->h - size) / 2);
-}
-
-/** @return The rectangle of a key, pixels. */
-static SDL_Rect key_rect(const KeyboardPainter *painter, const KeyShape *key) {
-    int left = (int)(key->x * painter->quarter_key), top = (int)(key->y * painter->quarter_key);
-    int right = (int)((key->x + key->width) * painter->quarter_key);
-    int bottom = (int)((key->y + key->height) * painter->quarter_key);
-    return (SDL_Rect){painter->origin.x + left + 1, painter->origin.y + top + 1, right - left - 2,
-                      bottom - top - 2};
+/** @return Units of a quarter of a key in a space; 0: its keys would be too small. */
+static float quarter_key_size(float width, float height) {
+    float size = fminf(width / (float)KEYBOARD_WIDTH, height / (float)KEYBOARD_HEIGHT);
+    return 4 * size < SMALLEST_KEY * gui_text_size() ? 0 : size;
 }
 
 /** @return The row of a key; NULL: it does nothing. */
@@ -169,7 +128,7 @@ const char *key_cap_label(SDL_Scancode scancode) {
         SDL_Scancode scancode;
         const char *label;
     } signs[] = {{SDL_SCANCODE_LSHIFT, "⇧"},      {SDL_SCANCODE_RSHIFT, "⇧"},
-                 {SDL_SCANCODE_BACKSPACE, "⌫"},   {SDL_SCANCODE_RETURN, "↵"},
+                 {SDL_SCANCODE_BACKSPACE, "⌫"},   {SDL_SCANCODE_RETURN, "⏎"},
                  {SDL_SCANCODE_CAPSLOCK, "⇪"},    {SDL_SCANCODE_SPACE, N_("Space")},
                  {SDL_SCANCODE_TAB, N_("Tab")},   {SDL_SCANCODE_LCTRL, "Ctrl"},
                  {SDL_SCANCODE_RCTRL, "Ctrl"},    {SDL_SCANCODE_LALT, "Alt"},
@@ -178,8 +137,8 @@ const char *key_cap_label(SDL_Scancode scancode) {
                  {SDL_SCANCODE_LEFT, "←"},        {SDL_SCANCODE_RIGHT, "→"},
                  {SDL_SCANCODE_UP, "↑"},          {SDL_SCANCODE_DOWN, "↓"},
                  {SDL_SCANCODE_INSERT, ""},       {SDL_SCANCODE_DELETE, ""},
-                 {SDL_SCANCODE_END, ""},          {SDL_SCANCODE_HOME, N_("Home")},
-                 {SDL_SCANCODE_PAGEUP, "Page↑"},  {SDL_SCANCODE_PAGEDOWN, "Page↓"},
+                 {SDL_SCANCODE_END, "⇲"},         {SDL_SCANCODE_HOME, "⇱"},
+                 {SDL_SCANCODE_PAGEUP, "⇞"},      {SDL_SCANCODE_PAGEDOWN, "⇟"},
                  {SDL_SCANCODE_ESCAPE, N_("Esc")}};
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
         if (signs[i].scancode == scancode) {
@@ -190,27 +149,17 @@ const char *key_cap_label(SDL_Scancode scancode) {
 }
 
 /** Draws a key. */
-static void draw_key(const KeyboardPainter *painter, const KeyShape *key) {
-    /** Colours of a key without a command, and of what is printed on it. */
-    static const SDL_Color idle = {42, 46, 58, SDL_ALPHA_OPAQUE},
-                           faint = {125, 130, 142, SDL_ALPHA_OPAQUE};
-    static const SDL_Color white = {245, 245, 245, SDL_ALPHA_OPAQUE};
-    /** Brightness of a key behind its text. */
-    const double brightness = 0.36;
+static void draw_key(KeyboardPainter *painter, const KeyShape *key) {
+    const float quarter = painter->quarter_key;
     const Command *row = find_row(painter, key->scancode);
-    const char *word = key_action_label(row);
-    bool is_used = word[0] != '\0';
-    SDL_Color tint = is_used ? panel_tint_color(help_tint(painter->help, row)) : faint;
-    SDL_Rect area = key_rect(painter, key);
-    fill_rect(painter, &area, is_used ? dim_color(tint, brightness) : idle);
-    SDL_Rect label = {area.x + 1, area.y + (int)(0.45 * painter->quarter_key), area.w - 2,
-                      (int)(1.5 * painter->quarter_key)};
-    SDL_Rect below = {area.x + 1, area.y + area.h - (int)(1.75 * painter->quarter_key), area.w - 2,
-                      (int)(1.25 * painter->quarter_key)};
-    SDL_SetClipRect(painter->surface, &area);
-    draw_fitted_text(painter, key_cap_label(key->scancode), &label, tint);
-    draw_fitted_text(painter, word, &below, white);
-    SDL_SetClipRect(painter->surface, NULL);
+    const GuiRect rect = {painter->origin.x + (float)key->x * quarter + 1,
+                          painter->origin.y + (float)key->y * quarter + 1,
+                          (float)key->width * quarter - 2, (float)key->height * quarter - 2};
+    GuiColor color = row ? gui_group_color(help_group(painter->help, row)) : GUI_COLOR_FAINT;
+    bool is_marked = row && row == painter->marked;
+    GuiMouse mouse = gui_key(&rect, key_cap_label(key->scancode), color, is_marked);
+    painter->hovered = mouse != GUI_IDLE ? row : painter->hovered;
+    painter->clicked = mouse == GUI_CLICKED ? row : painter->clicked;
 }
 
 /** @return The layout in use, by the key right of P. */
@@ -220,7 +169,7 @@ static KeyboardLayout detect_layout(void) {
 }
 
 /** Draws all keys. */
-static void draw_keys(const KeyboardPainter *painter) {
+static void draw_keys(KeyboardPainter *painter) {
     KeyboardLayout layout = detect_layout();
     for (size_t i = 0; i < sizeof key_rows / sizeof *key_rows; i++) {
         for (int j = 0; key_rows[i].scancodes[j] != SDL_SCANCODE_UNKNOWN; j++) {
@@ -235,14 +184,17 @@ static void draw_keys(const KeyboardPainter *painter) {
     }
 }
 
-void keyboard_diagram_draw(SDL_Surface *panel, const SDL_Rect *area, const Help *help) {
-    KeyboardPainter painter = {.surface = panel,
-                               .origin = {area->x, area->y},
-                               .quarter_key = quarter_key_size(area->w, area->h),
-                               .font = font_open(),
-                               .help = help};
-    if (painter.font) {
+const Command *keyboard_diagram_show(const Help *help, float height, const Command *marked,
+                                     const Command **hovered) {
+    const float width = gui_panel_width();
+    KeyboardPainter painter = {
+        .quarter_key = quarter_key_size(width, height), .help = help, .marked = marked};
+    *hovered = NULL;
+    if (painter.quarter_key > 0) {
+        painter.origin = gui_canvas((float)KEYBOARD_HEIGHT * painter.quarter_key);
+        painter.origin.x += (width - (float)KEYBOARD_WIDTH * painter.quarter_key) / 2;
         draw_keys(&painter);
-        font_close(painter.font);
+        *hovered = painter.hovered;
     }
+    return painter.clicked;
 }

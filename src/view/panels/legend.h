@@ -28,15 +28,15 @@ typedef struct LegendContent {
 
 /** A legend. */
 typedef struct Legend {
-    char title[LEGEND_TEXT_SIZE];                           /**< What is shown; empty: no legend. */
-    char unit[LEGEND_TEXT_SIZE];                            /**< Its unit and scale; empty: none. */
-    uint8_t bar[LEGEND_BAR_COLORS][3];                      /**< Colours of the bar, sRGB. */
-    bool has_bar;                                           /**< Whether there is a bar. */
-    LegendEntry entries[LEGEND_ENTRIES_MAXIMUM];            /**< Ticks, then colours apart. */
-    char texts[LEGEND_ENTRIES_MAXIMUM][LEGEND_TEXT_SIZE];   /**< Their texts, translated. */
-    size_t entry_count;                                     /**< Number of them. */
-    char notes[LEGEND_NOTES][LEGEND_TEXT_SIZE];             /**< Counts, reference. */
-    size_t note_count;                                      /**< Number of them. */
+    char title[LEGEND_TEXT_SIZE];                         /**< What is shown; empty: no legend. */
+    char unit[LEGEND_TEXT_SIZE];                          /**< Its unit and scale; empty: none. */
+    uint8_t bar[LEGEND_BAR_COLORS][3];                    /**< Colours of the bar, sRGB. */
+    bool has_bar;                                         /**< Whether there is a bar. */
+    LegendEntry entries[LEGEND_ENTRIES_MAXIMUM];          /**< Ticks, then colours apart. */
+    char texts[LEGEND_ENTRIES_MAXIMUM][LEGEND_TEXT_SIZE]; /**< Their texts, translated. */
+    size_t entry_count;                                   /**< Number of them. */
+    char notes[LEGEND_NOTES][LEGEND_TEXT_SIZE];           /**< Counts, reference. */
+    size_t note_count;                                    /**< Number of them. */
 } Legend;
 
 /** Writes the legend of a picture; it has no title where the picture needs none. */

@@ -60,6 +60,7 @@ static void show_list(LessonPanel *panel) {
     size_t present = lesson_panel_number(lesson, panel->stop + 1), number = 0;
     snprintf(line, sizeof line, "%zu/%zu \xe2\x96\xbe", panel->stop < lesson->count ? present : 0,
              lesson_panel_number(lesson, lesson->count));
+    gui_same_line(line);
     if (!gui_step_list_begin(line, gettext("all steps"))) {
         return;
     }
@@ -78,28 +79,34 @@ static void show_list(LessonPanel *panel) {
     gui_step_list_end();
 }
 
-/** Shows buttons and title. */
-static void show_controls(LessonPanel *panel) {
-    if (gui_step_button("\xe2\x97\x80", gettext("the step before"), true, false)) {
-        request(panel, LESSON_REQUEST_BACK, 0);
-    }
-    gui_same_line();
-    if (gui_step_button("\xe2\x96\xb6\xe2\x96\xb6", gettext("the next step, at once"), true,
-                        false)) {
-        request(panel, LESSON_REQUEST_ON, 0);
-    }
-    gui_same_line();
-    show_list(panel);
-    gui_same_line();
+/** Shows what the lesson waits for. */
+static void show_state(LessonPanel *panel) {
+    const char *label = gettext(panel->is_asking    ? N_("What do you predict?")
+                                : panel->is_waiting ? N_("go on (Space)")
+                                                    : N_("hold (Space)"));
+    gui_same_line(label);
     if (panel->is_asking) {
-        gui_heading(gettext("What do you predict?"));
-    } else if (gui_step_button(
-                   gettext(panel->is_waiting ? N_("go on (Space)") : N_("hold (Space)")), NULL,
-                   true, panel->is_waiting)) {
+        gui_heading(label);
+    } else if (gui_step_button(label, NULL, true, panel->is_waiting)) {
         request(panel, LESSON_REQUEST_RESUME, 0);
     }
-    gui_same_line();
-    gui_heading(localized(&panel->lesson->title));
+}
+
+/** Shows buttons and title. */
+static void show_controls(LessonPanel *panel) {
+    static const char back[] = "\xe2\x97\x80", on[] = "\xe2\x96\xb6\xe2\x96\xb6";
+    const char *title = localized(&panel->lesson->title);
+    if (gui_step_button(back, gettext("the step before"), true, false)) {
+        request(panel, LESSON_REQUEST_BACK, 0);
+    }
+    gui_same_line(on);
+    if (gui_step_button(on, gettext("the next step, at once"), true, false)) {
+        request(panel, LESSON_REQUEST_ON, 0);
+    }
+    show_list(panel);
+    show_state(panel);
+    gui_same_line(title);
+    gui_heading(title);
 }
 
 /** Shows the answers to a question. @param is_explained Whether the right one is shown. */
@@ -125,14 +132,14 @@ static void show_question(LessonPanel *panel, const LessonStep *step) {
     int answer = panel->answers[step->action];
     char line[LINE_SIZE];
     if (step->kind == LESSON_ASK) {
-        gui_paragraph(localized(&question->text));
+        gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
     } else {
         const char *verdict = answer == 0                     ? ""
                               : answer == question->right + 1 ? gettext("Right.")
                                                               : gettext("Not what you predicted.");
         snprintf(line, sizeof line, "%s%s%s", verdict, *verdict ? " " : "",
                  localized(&question->because));
-        gui_paragraph(line);
+        gui_paragraph(line, GUI_COLOR_TEXT, 1);
     }
     show_answers(panel, question, answer, step->kind == LESSON_EXPLAIN);
 }
@@ -144,7 +151,7 @@ static void show_pair(const LessonPanel *panel, size_t first, size_t last) {
     const LessonQuestion *question = &panel->lesson->questions[last];
     const size_t asked[] = {first, last};
     char line[LINE_SIZE];
-    gui_paragraph(localized(&question->text));
+    gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
     for (size_t i = 0; i < 2; i++) {
         int answer = panel->answers[asked[i]];
         bool is_right = answer == panel->lesson->questions[asked[i]].right + 1;
@@ -172,9 +179,27 @@ static void show_score(const LessonPanel *panel) {
     }
     for (size_t i = 0; i < panel->lesson->question_count; i++) {
         size_t first = lesson_first_asked(panel->lesson, i);
-        if (first < i) {
+        if (first < i && (panel->answers[first] > 0 || panel->answers[i] > 0)) {
             show_pair(panel, first, i);
         }
+    }
+}
+
+/** Shows the buttons of the end card. */
+static void show_card_buttons(LessonPanel *panel) {
+    const char *again = gettext("2  again"), *close = gettext("3  close (Esc)");
+    if (panel->has_next) {
+        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
+            request(panel, LESSON_REQUEST_NEXT, 0);
+        }
+        gui_same_line(again);
+    }
+    if (gui_step_button(again, NULL, true, !panel->has_next)) {
+        request(panel, LESSON_REQUEST_AGAIN, 0);
+    }
+    gui_same_line(close);
+    if (gui_step_button(close, NULL, true, false)) {
+        request(panel, LESSON_REQUEST_CLOSE, 0);
     }
 }
 
@@ -186,31 +211,18 @@ static void show_card(LessonPanel *panel) {
         gui_item(localized(&panel->lesson->learnt[i]));
     }
     show_score(panel);
-    if (panel->has_next) {
-        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
-            request(panel, LESSON_REQUEST_NEXT, 0);
-        }
-        gui_same_line();
-    }
-    if (gui_step_button(gettext("2  again"), NULL, true, false)) {
-        request(panel, LESSON_REQUEST_AGAIN, 0);
-    }
-    gui_same_line();
-    if (gui_step_button(gettext("3  close (Esc)"), NULL, true, false)) {
-        request(panel, LESSON_REQUEST_CLOSE, 0);
-    }
+    show_card_buttons(panel);
     gui_panel_end();
 }
 
 void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect) {
     const Lesson *lesson = panel->lesson;
     const LessonStep *step = panel->stop < lesson->count ? &lesson->steps[panel->stop] : NULL;
-    gui_panel_begin("lesson", (GuiPoint){(float)rect->x, (float)rect->y},
-                    (GuiPoint){(float)rect->w, (float)rect->h});
+    gui_panel_begin("lesson", &(GuiRect){(float)rect->x, (float)rect->y, (float)rect->w, (float)rect->h});
     if (!panel->is_finished) {
         show_controls(panel);
         if (step && step->kind == LESSON_CAPTION) {
-            gui_paragraph(localized(&step->text));
+            gui_paragraph(localized(&step->text), GUI_COLOR_TEXT, 1);
         } else if (step) {
             show_question(panel, step);
         }

@@ -76,6 +76,11 @@ static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
     }
 }
 
+void pixel_readout_value(const PixelReading *reading, char text[READOUT_SIZE]) {
+    text[0] = '\0';
+    append_value(reading, text);
+}
+
 /** Appends the difference of two pixels, if there is one. */
 static void append_difference(const PixelReading *a, const PixelReading *b,
                               char text[READOUT_SIZE]) {
@@ -95,10 +100,17 @@ static void append_difference(const PixelReading *a, const PixelReading *b,
     } else if (is_binary) {
         append(text, "%s", difference != 0 ? gettext("not the same") : gettext("the same"));
     } else {
-        append(text, difference != 0 ? gettext("left minus right: %+.6g %s")
-                                     : gettext("left minus right: %.6g %s"),
+        append(text,
+               difference != 0 ? gettext("left minus right: %+.6g %s")
+                               : gettext("left minus right: %.6g %s"),
                difference, unit[0] != '\0' ? gettext(unit) : "");
     }
+}
+
+void pixel_readout_difference(const PixelReading readings[READOUT_PICTURES],
+                              char text[READOUT_SIZE]) {
+    text[0] = '\0';
+    append_difference(&readings[0], &readings[1], text);
 }
 
 void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {

@@ -29,6 +29,13 @@ typedef struct PixelReadout {
 /** Names a shape with its line, such as `sphere, line 35`, in the user's language. */
 void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]);
 
+/** Writes the value of one picture alone. */
+void pixel_readout_value(const PixelReading *reading, char text[READOUT_SIZE]);
+
+/** Writes the difference of two pictures alone. */
+void pixel_readout_difference(const PixelReading readings[READOUT_PICTURES],
+                              char text[READOUT_SIZE]);
+
 /** Writes a readout, in one line for each picture and one for their difference. */
 void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]);
 

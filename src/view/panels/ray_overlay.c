@@ -50,6 +50,7 @@ static SDL_Texture *draw_overlay(const RayOverlay *overlay, SDL_Renderer *render
     SDL_Texture *texture = NULL;
     drawing.cairo = cairo_create(image);
     ray_drawing_rays(&drawing);
+    ray_drawing_march(&drawing);
     ray_drawing_mark(&drawing, drawing.tree->nodes[0].origin, RAY_MARK_EYE, NULL);
     for (size_t i = 0; i < overlay->light_count; i++) {
         ray_drawing_mark(&drawing, overlay->light_positions[i], RAY_MARK_LIGHT, NULL);
@@ -75,6 +76,21 @@ void ray_overlay_show(OverlayImage *image, const RayOverlay *overlay, SDL_Render
     if (image->texture) {
         SDL_RenderCopy(renderer, image->texture, NULL, rect);
     }
+}
+
+void ray_overlay_draw_pane(OverlayImage *image, RayPane pane, const RayPaneInput *input,
+                           SDL_Renderer *renderer, int width, int height) {
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    RayPaneInput target = *input;
+    target.drawing.cairo = cairo_create(surface);
+    ray_overlay_release(image);
+    ray_pane_draw(pane, &target, width, height);
+    if (cairo_status(target.drawing.cairo) == CAIRO_STATUS_SUCCESS) {
+        cairo_surface_flush(surface);
+        *image = (OverlayImage){to_texture(surface, renderer), width, height};
+    }
+    cairo_destroy(target.drawing.cairo);
+    cairo_surface_destroy(surface);
 }
 
 void ray_overlay_release(OverlayImage *image) {

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
 #define DIOPTRE_VIEW_PANELS_RAY_OVERLAY_H
 
-#include "render/ray_drawing.h"
+#include "render/ray_pane.h"
 
 #include <SDL.h>
 
@@ -30,6 +30,10 @@ typedef struct OverlayImage {
  */
 void ray_overlay_show(OverlayImage *image, const RayOverlay *overlay, SDL_Renderer *renderer,
                       const SDL_Rect *rect);
+
+/** Draws a drawing beside the rays into an image. @param width Its size, pixels. */
+void ray_overlay_draw_pane(OverlayImage *image, RayPane pane, const RayPaneInput *input,
+                           SDL_Renderer *renderer, int width, int height);
 
 /** Frees the drawing: it has changed. */
 void ray_overlay_release(OverlayImage *image);

@@ -10,6 +10,12 @@ static const double TURN_PER_SECOND = 45;
 static const double ZOOM_PER_SECOND = 2;
 /** Size of the column of numbers and of the inset, fraction of the window. */
 static const double COLUMN_FRACTION = 0.36;
+/** Width of the drawing beside the view, fraction of both. */
+static const double PANE_FRACTION = 0.5;
+/** Rows of text that fill the height of the window, as everywhere in it. */
+static const double ROWS_PER_WINDOW = 30;
+/** Smallest height of letters, pixels. */
+static const double TEXT_SIZE_MINIMUM = 14;
 /** Height of the formulas, fraction of the window. */
 static const double FORMULAS_FRACTION = 0.3;
 /** Seconds in which a ray flies along its path. */
@@ -65,6 +71,7 @@ void ray_view_step_pixel(RayView *ray_view, int x, int y) {
 /** The chosen ray has changed, or how rays are drawn. */
 static void redraw_rays(RayView *ray_view) {
     ray_overlay_release(&ray_view->overlay);
+    ray_overlay_release(&ray_view->pane_image);
     ray_view->needs_text = ray_view->needs_present = ray_view->is_row_revealed = true;
 }
 
@@ -104,6 +111,17 @@ double ray_view_flight(const RayView *ray_view, double now) {
 
 void ray_view_toggle_kind(RayView *ray_view, RayType kind) {
     ray_view->hidden_kinds ^= 1U << kind;
+    redraw_rays(ray_view);
+}
+
+void ray_view_toggle_pane(RayView *ray_view, RayPane pane) {
+    ray_view->pane = ray_view->pane == pane ? RAY_PANE_NONE : pane;
+    ray_view_reset_camera(ray_view); // The view has another shape.
+    redraw_rays(ray_view);
+}
+
+void ray_view_turn_arrows(RayView *ray_view) {
+    ray_view->is_along_light = !ray_view->is_along_light;
     redraw_rays(ray_view);
 }
 
@@ -167,6 +185,12 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         .formulas = {area->x, area->y, width, formulas},
         .view = {area->x, area->y + formulas, width, SDL_max(1, area->h - formulas)},
         .inset = inset_rect(ray_view, area)};
+    if (ray_view->pane != RAY_PANE_NONE) {
+        layout.pane = layout.view;
+        layout.view.w = SDL_max(1, (int)(width * (1 - PANE_FRACTION)));
+        layout.pane.x += layout.view.w;
+        layout.pane.w = width - layout.view.w;
+    }
     layout.list = (SDL_Rect){area->x + width, area->y, area->w - width, layout.inset.y - area->y};
     return layout;
 }
@@ -177,6 +201,7 @@ RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view) {
                         .view = orbit_camera_project(&ray_view->orbit, view->w, view->h),
                         .selected = ray_view->selected,
                         .hidden_kinds = ray_view->hidden_kinds,
+                        .is_along_light = ray_view->is_along_light,
                         .hides_selected = ray_view->flight_start > 0};
 }
 
@@ -216,14 +241,16 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
         ray_view_toggle(ray_view);
         return false;
     }
+    cut_away_begin(&ray_view->cut, input->scene, ray_tree);
     if (!ray_view->has_orbit) {
         SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
-        ray_view->orbit = orbit_camera_fit(input->viewport->renderer, &input->scene->camera,
+        ray_view->orbit = orbit_camera_fit(input->viewport->renderer, input->scene, &ray_view->cut,
                                            ray_tree, rect.w, rect.h);
         ray_view->has_orbit = true;
     }
     ray_view->selected = SDL_min(ray_view->selected, ray_tree->count - 1);
     ray_view->needs_draw = ray_view->needs_text = true;
+    ray_overlay_release(&ray_view->pane_image);
     collect_light_positions(ray_view, input->scene);
     return true;
 }
@@ -264,15 +291,35 @@ static bool update_side_renderer(RayView *ray_view, const RayViewInput *input, c
     return true;
 }
 
-/** Starts to render the second camera's view. @return false without memory. */
+/** Starts to render the second camera's view, without what hides the rays. @return false without
+ *  memory. */
 static bool draw_side_view(RayView *ray_view, const RayViewInput *input, Error *error) {
-    Scene scene = *input->scene;
     SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
-    scene.camera = orbit_camera_project(&ray_view->orbit, rect.w, rect.h).camera;
+    SceneCamera camera = orbit_camera_project(&ray_view->orbit, rect.w, rect.h).camera;
+    if (cut_away_update(&ray_view->cut, input->viewport->renderer, input->scene,
+                        &ray_view->ray_tree, camera.position)) {
+        ray_view->is_renderer_outdated = true;
+    }
+    Scene scene = cut_away_scene(&ray_view->cut, input->scene);
+    scene.camera = camera;
     ray_view->needs_draw = false;
     ray_overlay_release(&ray_view->overlay);
     return update_side_renderer(ray_view, input, &scene, error) &&
            viewport_start(&ray_view->viewport, &scene, rect.w, rect.h, input->now, error);
+}
+
+/** Draws the drawing beside the view. */
+static void draw_pane(RayView *ray_view, const RayViewInput *input, SDL_Renderer *renderer) {
+    RayViewLayout layout = ray_view_layout(ray_view, &input->area);
+    RayPaneInput pane = {.renderer = input->viewport->renderer,
+                         .scene = input->scene,
+                         .engine = input->viewport->settings.engine,
+                         .drawing = ray_view_drawing(ray_view, &layout.view),
+                         .text_size = SDL_max(TEXT_SIZE_MINIMUM, input->area.h / ROWS_PER_WINDOW)};
+    pane.drawing.hides_selected = false;
+    ray_overlay_draw_pane(&ray_view->pane_image, ray_view->pane, &pane, renderer,
+                          SDL_max(1, layout.pane.w), layout.pane.h);
+    ray_view->needs_present = true;
 }
 
 /** Moves the flying ray on. */
@@ -301,6 +348,9 @@ bool ray_view_update(RayView *ray_view, const RayViewInput *input, SDL_Renderer 
         ray_view_write_text(ray_view, input, (int)(ray_view->x * ray_view->width),
                             (int)(ray_view->y * ray_view->height));
         ray_view->needs_present = true;
+    }
+    if (ray_view->is_open && renderer && ray_view->pane && !ray_view->pane_image.texture) {
+        draw_pane(ray_view, input, renderer);
     }
     if (ray_view->is_open && ray_view->flight_start > 0) {
         update_flight(ray_view, input->now);
@@ -339,12 +389,16 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
                               .drawing = ray_view_drawing(ray_view, &layout.view)};
         ray_overlay_show(&ray_view->overlay, &overlay, renderer, &layout.view);
     }
+    if (ray_view->pane != RAY_PANE_NONE && ray_view->pane_image.texture) {
+        SDL_RenderCopy(renderer, ray_view->pane_image.texture, NULL, &layout.pane);
+    }
     draw_inset(ray_view, texture, renderer, &layout.inset);
 }
 
 void ray_view_release_textures(RayView *ray_view) {
     streaming_texture_release(&ray_view->viewport.texture);
     ray_overlay_release(&ray_view->overlay);
+    ray_overlay_release(&ray_view->pane_image);
     ray_view->needs_trace = true;
 }
 
@@ -352,4 +406,5 @@ void ray_view_deinit(RayView *ray_view) {
     viewport_close(&ray_view->viewport);
     ray_view_release_textures(ray_view);
     ray_tree_deinit(&ray_view->ray_tree);
+    cut_away_deinit(&ray_view->cut);
 }

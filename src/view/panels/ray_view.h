@@ -50,7 +50,11 @@ typedef struct RayView {
     Viewport viewport;         /**< Viewport of the second camera. */
     Vec3d light_positions[RAY_VIEW_LIGHTS]; /**< Positions of the lights. */
     size_t light_count;                     /**< Number of #light_positions. */
+    CutAway cut;                            /**< Shapes that hide the rays. */
     OverlayImage overlay;                   /**< The drawn rays. */
+    RayPane pane;                           /**< The drawing beside the view. */
+    OverlayImage pane_image;                /**< That drawing. */
+    bool is_along_light;                    /**< Whether arrows show the way of the light. */
     char heading[RAY_VIEW_HEADING_SIZE];    /**< The pixel and its colour. */
     RayFormulas formulas;                   /**< Formulas of the chosen ray. */
     RayFormulas sum;                        /**< Its sum. */
@@ -91,6 +95,12 @@ void ray_view_fly(RayView *ray_view, double now);
 
 /** Hides the rays of a kind, or shows them again. */
 void ray_view_toggle_kind(RayView *ray_view, RayType kind);
+
+/** Shows a drawing beside the view, or takes it away. */
+void ray_view_toggle_pane(RayView *ray_view, RayPane pane);
+
+/** Turns all arrows round: along the light, or along the rays. */
+void ray_view_turn_arrows(RayView *ray_view);
 
 /** Finds the ray under the mouse. @param x Pixels of the window. @param area See
  *  #RayViewInput.area. @param[out] ray Its index. @return Whether there is one. */
@@ -133,6 +143,7 @@ double ray_view_timeout(const RayView *ray_view, double now);
 /** Where the parts of the view are. */
 typedef struct RayViewLayout {
     SDL_Rect view;     /**< The second camera's picture. */
+    SDL_Rect pane;     /**< The drawing beside it; empty: there is none. */
     SDL_Rect formulas; /**< The formulas of the chosen ray, above it. */
     SDL_Rect list;     /**< The list of rays and the sum. */
     SDL_Rect inset;    /**< The picture whose rays are shown. */

@@ -160,8 +160,28 @@ static void show_list(RayView *ray_view, const Scene *scene, const Help *help,
     gui_list_end();
 }
 
+/** Shows the buttons of the drawings beside the view, and of the arrows. */
+static void show_drawings(RayView *ray_view, const Help *help) {
+    const struct {
+        const char *command; /**< What the button does. */
+        const char *label;   /**< In English. */
+        bool is_on;          /**< Whether it is shown. */
+    } buttons[] = {{"ray plan", N_("plan"), ray_view->pane == RAY_PANE_PLAN},
+                   {"ray march", N_("march"), ray_view->pane == RAY_PANE_MARCH},
+                   {"hit microscope", N_("microscope"), ray_view->pane == RAY_PANE_MICROSCOPE},
+                   {"arrows", N_("arrows as light"), ray_view->is_along_light}};
+    for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
+        char key[ROW_SIZE] = "";
+        help_key_names(command_find(help->commands, buttons[i].command), help->by_letter, key,
+                       sizeof key);
+        if (gui_button(gettext(buttons[i].label), key, buttons[i].is_on)) {
+            ray_view->request.command = buttons[i].command;
+        }
+    }
+}
+
 /** Shows the formulas of the chosen ray, and how to leave. */
-static void show_chosen(RayView *ray_view, const SDL_Rect *rect) {
+static void show_chosen(RayView *ray_view, const Help *help, const SDL_Rect *rect) {
     const RayTreeNode *ray = &ray_view->ray_tree.nodes[ray_view->selected];
     char text[ROW_SIZE];
     snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
@@ -174,6 +194,7 @@ static void show_chosen(RayView *ray_view, const SDL_Rect *rect) {
     if (gui_button(gettext("back to the picture"), gettext("v, or Esc"), false)) {
         ray_view->request.command = "rays";
     }
+    show_drawings(ray_view, help);
     show_formulas(&ray_view->formulas);
     gui_list_end();
 }
@@ -232,5 +253,5 @@ void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *he
     show_flight(&drawing, &layout.view, scale, ray_view_flight(ray_view, clock_now_seconds()));
     show_numbers(&drawing, &layout.view, scale);
     show_list(ray_view, scene, help, &layout.list);
-    show_chosen(ray_view, &layout.formulas);
+    show_chosen(ray_view, help, &layout.formulas);
 }

@@ -17,6 +17,10 @@ static const double EPSILON_LOW = 1e-16;
 static const double EPSILON_HIGH = 1;
 /** Bytes of a label with the final zero. */
 enum { LABEL_SIZE = 64 };
+/** Sign of the depth: a ray that is reflected. */
+#define SIGN_DEPTH "↯"
+/** Sign of the samples: a pixel that is divided. */
+#define SIGN_SAMPLES "▦"
 
 /** Requests a command. @param repetitions How many times; 0: not at all. */
 static void request(Toolbar *toolbar, const char *command, int repetitions) {
@@ -30,7 +34,7 @@ static void request(Toolbar *toolbar, const char *command, int repetitions) {
 static const char *tooltip(const ToolbarContent *content, const char *name,
                            char text[TOOLTIP_SIZE]) {
     const Command *command = command_find(content->help->commands, name);
-    char keys[PANEL_LABEL_SIZE] = "";
+    char keys[GUI_LABEL_SIZE] = "";
     text[0] = '\0';
     if (command && command->help) {
         help_key_names(command, content->help->by_letter, keys, sizeof keys);
@@ -101,12 +105,6 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     }
 }
 
-/** Writes a number of samples. */
-static void write_samples(char text[LABEL_SIZE], int samples) {
-    snprintf(text, LABEL_SIZE, ngettext("%d sample", "%d samples", (unsigned long)samples),
-             samples);
-}
-
 /** Number type, depth, samples and light. */
 static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     static const char *const types[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
@@ -115,11 +113,11 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
     cyclic_choice(toolbar, content, "engine", types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
-    snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
-    snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), DEPTH_MAXIMUM);
+    snprintf(depth, sizeof depth, SIGN_DEPTH " %d", settings->trace.depth);
+    snprintf(deepest, sizeof deepest, SIGN_DEPTH " %d", DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
-    write_samples(samples, settings->samples);
-    write_samples(most, KEY_SAMPLES_MAXIMUM);
+    snprintf(samples, sizeof samples, SIGN_SAMPLES " %d", settings->samples);
+    snprintf(most, sizeof most, SIGN_SAMPLES " %d", KEY_SAMPLES_MAXIMUM);
     number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));
@@ -131,7 +129,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
 void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
-    gui_bar_begin();
+    gui_bar_begin(toolbar->is_folded);
     command_button(toolbar, content, "☰", "toolbar", !toolbar->is_folded);
     if (!toolbar->is_folded) {
         command_button(toolbar, content, gettext("scenes"), "scenes", false);
@@ -145,10 +143,13 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         }
         command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
         command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
-        command_button(toolbar, content, gettext("as at first"), "as at first", false);
+        command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
+        command_button(toolbar, content, gettext("magnifier"), "magnifier",
+                       content->shows_magnifier);
+        command_button(toolbar, content, "↺", "as at first", false);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
-        command_button(toolbar, content, gettext("record"), "record", content->is_recording);
-        command_button(toolbar, content, gettext("help"), "help", content->help->is_open);
+        command_button(toolbar, content, "●", "record", content->is_recording);
+        command_button(toolbar, content, "?", "help", content->help->is_open);
     }
     toolbar->height = gui_bar_end();
 }

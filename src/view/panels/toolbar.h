@@ -32,6 +32,8 @@ typedef struct ToolbarContent {
     SplitMode split;                /**< How many pictures are shown. */
     bool shows_settings;            /**< Whether settings and costs are shown. */
     bool shows_rays;                /**< Whether the rays of a pixel are shown. */
+    bool shows_chart;               /**< Whether the chart of settings is shown. */
+    bool shows_magnifier;           /**< Whether pixels are magnified. */
     bool is_animated;               /**< Whether the scene depends on time. */
     bool is_running;                /**< Whether its time runs. */
     bool is_recording;              /**< Whether a lesson is recorded. */

@@ -87,11 +87,16 @@ bool view_state_save_current(ViewState *saved, const ViewState *view_state, cons
 }
 
 void view_state_restore_current(const ViewState *saved, ViewState *view_state, Scene *scene) {
-    scene->camera = saved->camera;
-    view_state->is_camera_moved = saved->is_camera_moved;
+    view_state_reset(view_state, scene);
+    if (saved->is_camera_moved) {
+        scene->camera = saved->camera;
+        view_state->is_camera_moved = true;
+    }
     for (size_t i = 0; i < saved->light_count && i < view_state->light_count; i++) {
-        scene->lights[i] = saved->lights[i];
-        view_state->is_light_moved[i] = saved->is_light_moved[i];
+        if (saved->is_light_moved[i]) {
+            scene_light_copy_position(&scene->lights[i], &saved->lights[i]);
+            view_state->is_light_moved[i] = true;
+        }
     }
 }
 

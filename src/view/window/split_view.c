@@ -40,6 +40,8 @@ static bool copy_both(SplitView *split, const Viewport *left, const Viewport *ri
         split->pixels = malloc(2 * 4 * pixels);
         split->pixel_capacity = split->pixels ? pixels : 0;
     }
+    split->width = left->width;
+    split->height = left->height;
     RenderStats reports[2];
     int pitch = 4 * left->width;
     bool is_copied =
@@ -74,16 +76,14 @@ static bool draw_difference(SplitView *split, const Viewport *left, const Viewpo
         return true;
     }
     if (layers[0] == LAYER_SHADED) {
-        split->difference = difference_map_draw(split->pixels, split->pixels + 4 * pixels, pixels,
-                                                split->pixels);
+        split->difference =
+            difference_map_draw(split->pixels, split->pixels + 4 * pixels, pixels, split->pixels);
         return true;
     }
     bool has_values = copy_both_values(split, left, right);
     if (has_values) {
-        split->difference =
-            difference_map_draw_values(layers[0], split->values,
-                                       split->values + LAYER_VALUES * pixels, pixels,
-                                       split->pixels);
+        split->difference = difference_map_draw_values(
+            layers[0], split->values, split->values + LAYER_VALUES * pixels, pixels, split->pixels);
     }
     return has_values;
 }
@@ -117,6 +117,20 @@ void split_view_update_difference(SplitView *split, const Viewport *left, const 
     if (pixels) {
         split_view_compose(split, left, right, pixels, pitch);
         streaming_texture_unlock(&split->difference_texture);
+    }
+}
+
+void split_view_copy_part(const SplitView *split, int x, int y, int columns, int rows,
+                          uint8_t *rgb) {
+    for (int i = 0; split->pixels && i < columns * rows; i++) {
+        int column = x + i % columns, row = y + i / columns;
+        if (column >= 0 && column < split->width && row >= 0 && row < split->height) {
+            const uint8_t *bgrx =
+                split->pixels + 4 * ((size_t)row * (size_t)split->width + (size_t)column);
+            for (int channel = 0; channel < 3; channel++) {
+                rgb[3 * i + channel] = bgrx[2 - channel];
+            }
+        }
     }
 }
 

@@ -24,10 +24,12 @@ typedef struct SplitView {
     bool is_dragged;     /**< Whether the mouse drags the bar. */
     StreamingTexture difference_texture; /**< Texture of the difference. */
     uint8_t *pixels;                     /**< Pixels of both pictures; owned; NULL: none yet. */
+    int width;                           /**< Pixels of each picture in #pixels. */
+    int height;                          /**< Pixels of each picture in #pixels. */
     size_t pixel_capacity;               /**< Capacity of #pixels, pixels of each picture. */
     float *values;         /**< Numbers of both layers in the difference; owned; NULL: none yet. */
     size_t value_capacity; /**< Capacity of #values, pixels of each picture. */
-    DifferenceMap difference;            /**< Statistics of the difference. */
+    DifferenceMap difference; /**< Statistics of the difference. */
 } SplitView;
 
 /** Frees its memory. */
@@ -51,6 +53,11 @@ bool split_view_compose(SplitView *split, const Viewport *left, const Viewport *
 /** Updates the texture of the difference, if both pictures have a pass. */
 void split_view_update_difference(SplitView *split, const Viewport *left, const Viewport *right,
                                   SDL_Renderer *renderer);
+
+/** Copies the colours of a part of the difference that was composed last. See
+ *  #renderer_copy_part. */
+void split_view_copy_part(const SplitView *split, int x, int y, int columns, int rows,
+                          uint8_t *rgb);
 
 /** Draws the bar. @param picture The picture's rectangle, pixels of the window. */
 void split_view_draw_bar(const SplitView *split, SDL_Renderer *renderer, const SDL_Rect *picture);

@@ -2,7 +2,7 @@
  * @file
  * @brief Finds a Pareto front.
  */
-#include "lab/charts/pareto_front.h"
+#include "base/pareto_front.h"
 
 /** @return Whether the quartiles of two costs overlap. */
 static bool costs_are_tied(const ParetoPoint *a, const ParetoPoint *b) {

@@ -2,8 +2,8 @@
  * @file
  * @brief The Pareto front of costs and errors: what nothing else beats in both.
  */
-#ifndef DIOPTRE_LAB_CHARTS_PARETO_FRONT_H
-#define DIOPTRE_LAB_CHARTS_PARETO_FRONT_H
+#ifndef DIOPTRE_BASE_PARETO_FRONT_H
+#define DIOPTRE_BASE_PARETO_FRONT_H
 
 #include <stdbool.h>
 #include <stddef.h>

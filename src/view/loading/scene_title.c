@@ -1,0 +1,95 @@
+/**
+ * @file
+ * @brief Reading titles of scenes and lessons.
+ */
+#include "view/loading/scene_title.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/** Bytes of a line that is read at once; the rest of a longer one counts as a line of its own. */
+enum { LINE_SIZE = 1024 };
+/** Lines of a file in which a lesson or its title is looked for. */
+enum { LINES_MAXIMUM = 200 };
+
+/** @return Whether a text begins with another. */
+static bool begins_with(const char *text, const char *start) {
+    return strncmp(text, start, strlen(start)) == 0;
+}
+
+/** Reads a line without its end. @return false at the end of the file. */
+static bool read_line(FILE *file, char line[LINE_SIZE]) {
+    bool is_read = fgets(line, LINE_SIZE, file) != NULL;
+    if (is_read) {
+        line[strcspn(line, "\r\n")] = '\0';
+    }
+    return is_read;
+}
+
+/** Appends the text of a comment to a title. */
+static void add_comment(const char *line, char title[SCENE_TITLE_SIZE]) {
+    size_t used = strlen(title);
+    const char *text = line + strspn(line, "- ");
+    snprintf(title + used, SCENE_TITLE_SIZE - used, "%s%s", used > 0 ? " " : "", text);
+}
+
+/** Reads the title of a scene. @param mark Begins the line of the language that is wanted. */
+static void read_scene_title(FILE *file, const char *mark, char title[SCENE_TITLE_SIZE]) {
+    char line[LINE_SIZE], comment[SCENE_TITLE_SIZE] = "", english[SCENE_TITLE_SIZE] = "";
+    bool is_beginning = true;
+    while (title[0] == '\0' && read_line(file, line)) {
+        is_beginning = is_beginning && begins_with(line, "-- ");
+        if (begins_with(line, mark)) {
+            add_comment(line + strlen(mark), title);
+        } else if (begins_with(line, "-- en: ")) {
+            add_comment(line + strlen("-- en: "), english);
+        } else if (is_beginning) {
+            add_comment(line, comment);
+        }
+    }
+    char *end = strstr(comment, ". ");
+    if (end) {
+        end[1] = '\0';
+    }
+    if (title[0] == '\0') {
+        snprintf(title, SCENE_TITLE_SIZE, "%s", english[0] != '\0' ? english : comment);
+    }
+}
+
+/** Copies a text in quotes. @param from The quote before it. */
+static void copy_quoted(const char *from, char title[SCENE_TITLE_SIZE]) {
+    size_t length = 0;
+    for (const char *c = from + 1; *c && *c != *from && length + 1 < SCENE_TITLE_SIZE; c++) {
+        c += *c == '\\' && c[1] ? 1 : 0;
+        title[length++] = *c;
+    }
+    title[length] = '\0';
+}
+
+/** Reads the title of a lesson. @param key The field of the language that is wanted. */
+static void read_lesson_title(FILE *file, const char *key, char title[SCENE_TITLE_SIZE]) {
+    char line[LINE_SIZE];
+    for (int i = 0; i < LINES_MAXIMUM && title[0] == '\0' && read_line(file, line); i++) {
+        const char *field = strstr(line, "title");
+        const char *text = field && strchr(field, '=') ? strchr(field, '=') + 1 : NULL;
+        const char *named = text ? strstr(text, key) : NULL;
+        const char *quote = text ? strpbrk(named ? named : text, "\"'") : NULL;
+        if (quote) {
+            copy_quoted(quote, title);
+        }
+    }
+}
+
+void scene_title_read(const char *path, bool is_lesson, bool is_french,
+                      char title[SCENE_TITLE_SIZE]) {
+    FILE *file = fopen(path, "re");
+    title[0] = '\0';
+    if (file && is_lesson) {
+        read_lesson_title(file, is_french ? "fr =" : "en =", title);
+    } else if (file) {
+        read_scene_title(file, is_french ? "-- fr: " : "-- en: ", title);
+    }
+    if (file) {
+        fclose(file);
+    }
+}

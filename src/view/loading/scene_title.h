@@ -1,0 +1,25 @@
+/**
+ * @file
+ * @brief What the list says of a scene or a lesson: read from its file's text, which is not run.
+ */
+#ifndef DIOPTRE_VIEW_LOADING_SCENE_TITLE_H
+#define DIOPTRE_VIEW_LOADING_SCENE_TITLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Bytes of a title with the final zero; a longer one is cut. */
+enum { SCENE_TITLE_SIZE = 256 };
+
+/**
+ * Reads the title of a scene: its line `-- en: ...` or `-- fr: ...`, else the first sentence of the
+ * comment at its beginning; or the title of a lesson.
+ * @param path        The file.
+ * @param is_lesson   Whether it is a lesson.
+ * @param is_french   Whether French is wanted; English stands in for it.
+ * @param[out] title  The title; empty: there is none.
+ */
+void scene_title_read(const char *path, bool is_lesson, bool is_french,
+                      char title[SCENE_TITLE_SIZE]);
+
+#endif

@@ -14,7 +14,7 @@ const ROOT = "build/web";
 /** Engines whose pictures are compared; f32x8 is the page's default. */
 const ENGINES = ["f32x1", "f64x1", "f32x4", "f32x8"];
 /** Milliseconds that anything may take on a loaded machine. */
-const PATIENCE = 120000;
+const PATIENCE = 60000;
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
   ".wasm": "application/wasm", ".svg": "image/svg+xml" };
 
@@ -155,6 +155,13 @@ const testWindow = async (browser, url) => {
   await page.waitForTimeout(700);
   await page.keyboard.up("ArrowLeft");
   check(await settled(page) !== first, "an arrow key moves the light");
+
+  const [download] = await Promise.all([page.waitForEvent("download", { timeout: PATIENCE }), page.keyboard.press("p")]);
+  check(download.suggestedFilename() === "box-0001.bmp", `a snapshot is a download: ${download.suggestedFilename()}`);
+  // Cairo draws the rays; what it does not stand ends the program.
+  await page.keyboard.press("v");
+  await settled(page);
+  await page.keyboard.press("v");
 
   await editText(page, text.replace("camera", "camra"));
   await page.waitForFunction(() => document.getElementById("errors").textContent !== "", null, { timeout: PATIENCE });

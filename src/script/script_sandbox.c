@@ -69,7 +69,8 @@ SourceLocation script_sandbox_location(lua_State *L) {
     return SOURCE_LOCATION_START;
 }
 
-/** Records the current line, and ends a run whose time has passed. See lua_Hook. @param L The state. @param event Unused. */
+/** Records the current line, and ends a run whose time has passed. See lua_Hook. @param L The
+ * state. @param event Unused. */
 static void location_hook(lua_State *L, lua_Debug *event) {
     (void)event;
     script_sandbox_of(L)->result->location = script_sandbox_location(L);

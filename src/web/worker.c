@@ -275,6 +275,7 @@ void *__wrap_mmap(void *address, size_t size, int protection, int flags, int fil
         return address;
     }
     void *memory = calloc(1, size);
+    // cppcheck-suppress memleak // __wrap_munmap frees it.
     return memory ? memory : MAP_FAILED;
 }
 

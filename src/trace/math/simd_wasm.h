@@ -34,9 +34,13 @@ typedef union WideParts {
 #define WASM_INLINE static inline __attribute__((always_inline))
 
 #if REAL_BITS == 32
+/** Bit i set where lane i of a part is negative. */
 #define WASM_BITMASK wasm_i32x4_bitmask
+/** `y < x ? y : x` of two parts x, y. */
 #define WASM_PMIN wasm_f32x4_pmin
+/** `x < y ? y : x` of two parts x, y. */
 #define WASM_PMAX wasm_f32x4_pmax
+/** The square roots of a part. */
 #define WASM_SQRT wasm_f32x4_sqrt
 #else
 #define WASM_BITMASK wasm_i64x2_bitmask
@@ -91,9 +95,13 @@ WASM_INLINE real wasm_sqrt(real x) {
     return roots.numbers;
 }
 
+/** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) wasm_bits(m)
+/** a where the mask m is set, b elsewhere. */
 #define LANES_SELECT(m, a, b) wasm_select(m, a, b)
+/** The minimum; b if either is NaN. */
 #define LANES_MIN(a, b) wasm_min(a, b)
+/** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) wasm_max(a, b)
 /** The square roots of x. */
 #define LANES_SQRT(x) wasm_sqrt(x)

@@ -239,6 +239,7 @@ xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove_relative 37 -
 xdotool key x && sleep 0.3
 xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove --window "$window" 500 300 mouseup 1
 xdotool key BackSpace mousemove --window "$window" 410 320 click 1 && sleep 0.3
+xdotool key v && sleep 0.3
 xdotool key ctrl+Right && sleep 0.1 && xdotool key Escape
 xdotool key p && sleep 0.5 && xdotool key r
 expect_shown 'the lesson is in box-lesson-0002.lua' 'r again writes the next free file'
@@ -255,9 +256,9 @@ holds "$lesson" '^  scene = "\.\./.*box.lua",$' 'the scene as seen from the less
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
 holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'
-holds "$lesson" '^pixel\(0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a pixel'
+holds "$lesson" '^select\("[a-z]*", [0-9]*, 0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a thing'
 holds "$lesson" '^walk\(1, 0\)$' 'a step to the pixel beside'
-[ "$(grep -c '^press "rays"$' "$lesson")" = 1 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
+[ "$(grep -c '^press "rays"$' "$lesson")" = 2 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
 holds "$lesson" '^speed\(4\)$' 'Shift'
 holds "$work/shots/box-lesson-0003.lua" '^release "camera up"$' 'keeps what it has, with keys let go'
 echo 'snapshot()' >>"$lesson"

@@ -119,6 +119,10 @@ static void test_scene_fields(void **state) {
     REFUSED(&sent, scene->shapes[1].transform, (const Transform *)(void *)scene->lights);
     REFUSED(&sent, ((Transform *)(uintptr_t)scene->shapes[1].transform)->matrix[1][1], (double)NAN);
     REFUSED(&sent, ((Transform *)(uintptr_t)scene->shapes[1].transform)->scale.x, 1e9);
+    REFUSED(&sent, scene->shapes[0].origin.number, -1);
+    REFUSED(&sent, scene->shapes[0].origin.line, -1);
+    REFUSED(&sent, scene->lights[0].origin.number, -1);
+    REFUSED(&sent, scene->materials[1].origin.line, -1);
     REFUSED(&sent, scene->shapes, NULL);
     REFUSED(&sent, scene->shapes, scene->shapes + 1);
     REFUSED(&sent, scene->shape_count, SIZE_MAX / 2);
@@ -261,9 +265,13 @@ static void test_lessons(void **state) {
     lesson->learnt_count = 1;
     const LessonStep drag = {
         .kind = LESSON_DRAG, .time = 5, .x = 2e6, .y = -LENGTH_MAXIMUM, .z = 1};
+    const LessonStep select = {.kind = LESSON_SELECT, .time = 8, .action = 1};
+    const LessonStep set = {.kind = LESSON_SET, .time = 8, .action = 1, .row = 1, .x = 2};
     assert_true(lesson_add(lesson, &press, &error) && lesson_add(lesson, &caption, &error) &&
                 lesson_add(lesson, &drag, &error));
     assert_true(lesson_add_question(lesson, &question, 6, &error));
+    const size_t chosen = lesson->count;
+    assert_true(lesson_add(lesson, &select, &error) && lesson_add(lesson, &set, &error));
     const size_t size = lesson_block_size(lesson);
     Lesson *copy = malloc(sizeof *copy);
     assert_non_null(copy);
@@ -290,6 +298,16 @@ static void test_lessons(void **state) {
     LESSON_REFUSED(*byte_of(&lesson->steps[1].waits_for_viewer), 2);
     LESSON_REFUSED(lesson->steps[1].kind, (LessonStepKind)77);
     LESSON_REFUSED(lesson->steps[1].time, -1);
+    LESSON_REFUSED(lesson->steps[chosen].keyword, -1);
+    LESSON_REFUSED(lesson->steps[chosen].keyword, 1000);
+    LESSON_REFUSED(lesson->steps[chosen].action, -1);
+    LESSON_REFUSED(lesson->steps[chosen + 1].keyword, 1000);
+    LESSON_REFUSED(lesson->steps[chosen + 1].row, -1);
+    LESSON_REFUSED(lesson->steps[chosen + 1].row, 1000);
+    LESSON_REFUSED(lesson->steps[chosen + 1].action, 0);
+    LESSON_REFUSED(lesson->steps[chosen + 1].x, -1);
+    LESSON_REFUSED(lesson->steps[chosen + 1].x, (double)NAN);
+    LESSON_REFUSED(*byte_of(&lesson->steps[chosen + 1].continues), 2);
     LESSON_REFUSED(lesson->steps[0].time, 6);
     LESSON_REFUSED(lesson->steps[0].action, ACTIONS);
     LESSON_REFUSED(lesson->steps[0].action, -1);

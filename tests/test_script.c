@@ -364,11 +364,76 @@ static void test_lua_errors(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
+/** @return The scene of a fixture with overrides, by the real worker; NULL: it is refused. */
+static Scene *load_overridden(const Fixture *fixture, const SceneOverride *overrides, size_t count,
+                              Error *error) {
+    ScriptRequest request = script_request_for(fixture->path);
+    request.shape_keywords = scene_shape_keywords;
+    request.worker = NULL;
+    request.overrides = overrides;
+    request.override_count = count;
+    return script_load(&request, error);
+}
+
+/** Overrides take the place of the file's values for one call only. */
+static void test_overrides(void **state) {
+    const Fixture *fixture = *state;
+    Error error = {0};
+    int sphere = scene_object_keyword_find("sphere"), light = scene_object_keyword_find("light");
+    int material = scene_object_keyword_find("material");
+    write_text(fixture->path, "camera {}\nlocal shared = { radius = 1 }\n"
+                              "for i = 1, 2 do sphere(shared) end\n"
+                              "light { intensity = 2 }\nlocal m = material {}\n"
+                              "sphere {\n  material = m, scale = 2\n}\n");
+    const SceneOverride overrides[] = {
+        {sphere, 2, scene_object_row_find(sphere, "radius"), {3}},
+        {sphere, 3, scene_object_row_find(sphere, "translate"), {1, 2, 3}},
+        {sphere, 9, scene_object_row_find(sphere, "radius"), {3}},
+        {light, 1, scene_object_row_find(light, "falloff"), {FALLOFF_INVERSE_SQUARE}},
+        {material, 1, scene_object_row_find(material, "color"), {0.5, 0.25, 0.1}},
+        {sphere, 1, 1000, {3}},
+        {99, 1, 0, {3}},
+        {sphere, 1, scene_object_row_find(sphere, "radius"), {(double)NAN}}};
+    Scene *scene =
+        load_overridden(fixture, overrides, sizeof overrides / sizeof *overrides, &error);
+    assert_string_equal(error.message, "");
+    assert_non_null(scene);
+    const SphereParameters *first = scene->shapes[0].parameters;
+    const SphereParameters *second = scene->shapes[1].parameters;
+    assert_true(first->radius == 1 && second->radius == 3);
+    assert_true(scene->shapes[2].transform->translate.y == 2);
+    assert_true(scene->shapes[2].transform->scale.x == 2);
+    assert_int_equal(scene->lights[0].falloff, FALLOFF_INVERSE_SQUARE);
+    assert_true(scene->lights[0].intensity == 2);
+    assert_true(scene->materials[1].color.green == 0.25);
+    assert_int_equal(scene->shapes[1].origin.number, 2);
+    assert_int_equal(scene->shapes[1].origin.line, 3);
+    assert_int_equal(scene->shapes[2].origin.line, 6);
+    assert_int_equal(scene->lights[0].origin.line, 4);
+    assert_int_equal(scene->materials[1].origin.number, 1);
+    scene_destroy(scene);
+}
+
+/** Overrides are checked as the file's own values are. */
+static void test_wrong_overrides(void **state) {
+    const Fixture *fixture = *state;
+    Error error = {0};
+    int material = scene_object_keyword_find("material");
+    const SceneOverride both[] = {
+        {material, 1, scene_object_row_find(material, "transparency"), {1, 1, 1}},
+        {material, 1, scene_object_row_find(material, "reflectivity"), {0.5, 0, 0}}};
+    write_text(fixture->path, "camera {}\nmaterial {}\n");
+    assert_null(load_overridden(fixture, both, 2, &error));
+    assert_non_null(strstr(error.message, ":2: reflectivity and transparency are 1.5 together"));
+}
+
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_keywords),
+        cmocka_unit_test(test_overrides),
+        cmocka_unit_test(test_wrong_overrides),
         cmocka_unit_test(test_field_types),
         cmocka_unit_test(test_transforms),
         cmocka_unit_test(test_materials),

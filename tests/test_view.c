@@ -18,9 +18,11 @@
 #include "view/panels/magnifier.h"
 #include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
+#include "view/state/edit_history.h"
 #include "view/state/scene_text.h"
 #include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
+#include "view/state/source_edit.h"
 
 #include <glob.h>
 #include <pthread.h>
@@ -257,7 +259,7 @@ static void test_keyboard_labels(void **state) {
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 6);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -272,7 +274,8 @@ static void test_command_table(void **state) {
         for (int i = 0; i < COMMAND_KEYS; i++) {
             SDL_Keysym key = {.scancode = row->keys[i].scancode,
                               .sym = row->keys[i].keycode,
-                              .mod = row->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0};
+                              .mod = (row->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0) |
+                                     (row->flags & COMMAND_CTRL ? KMOD_LCTRL : 0)};
             if (key.scancode || key.sym) {
                 assert_ptr_equal(command_find_key(command_table, key, false), row);
             }
@@ -980,6 +983,193 @@ static void test_drop(void **state) {
     scene_destroy(scene);
 }
 
+/* --- objects ---------------------------------------------------------------------------------- */
+
+/** @return An edit of a sphere. @param row A row with one number. */
+static SceneOverride sphere_edit(int number, const char *row, double value) {
+    int keyword = scene_object_keyword_find("sphere");
+    return (SceneOverride){keyword, number, scene_object_row_find(keyword, row), {value}};
+}
+
+/** Adds an edit. */
+static void add_edit(EditHistory *history, SceneOverride edit, bool continues) {
+    Error error = {0};
+    assert_true(edit_history_add(history, &edit, continues, &error));
+}
+
+/** @return The value in force of a sphere's radius; 0: none. */
+static double radius_in_force(const EditHistory *history, int number) {
+    const SceneOverride field = sphere_edit(number, "radius", 0);
+    const SceneOverride *found = edit_history_find(history, &field);
+    return found ? found->numbers[0] : 0;
+}
+
+/** A group of edits is undone and done again at once; a new edit forgets what was undone. */
+static void test_edit_history(void **state) {
+    (void)state;
+    EditHistory history = {0};
+    SceneOverride overrides[SCENE_OVERRIDES_MAXIMUM];
+    assert_false(edit_history_undo(&history));
+    assert_false(edit_history_redo(&history));
+    add_edit(&history, sphere_edit(1, "radius", 2), true);
+    add_edit(&history, sphere_edit(2, "radius", 3), false);
+    add_edit(&history, sphere_edit(1, "radius", 4), true);
+    add_edit(&history, sphere_edit(2, "radius", 5), true);
+    assert_int_equal(history.count, 3); // The last one replaces one of its group.
+    assert_int_equal(edit_history_overrides(&history, overrides), 2);
+    assert_true(overrides[0].numbers[0] == 4 && overrides[1].numbers[0] == 5);
+    uint64_t revision = history.revision;
+    assert_true(edit_history_undo(&history));
+    assert_true(history.revision > revision);
+    assert_true(radius_in_force(&history, 1) == 2 && radius_in_force(&history, 2) == 0);
+    assert_true(edit_history_redo(&history));
+    assert_true(radius_in_force(&history, 1) == 4 && radius_in_force(&history, 2) == 5);
+    assert_true(edit_history_undo(&history));
+    add_edit(&history, sphere_edit(3, "radius", 6), false);
+    assert_false(edit_history_redo(&history));
+    assert_true(edit_history_undo(&history) && edit_history_undo(&history));
+    assert_false(edit_history_undo(&history));
+    assert_int_equal(edit_history_overrides(&history, overrides), 0);
+    edit_history_deinit(&history);
+}
+
+/** Once the file has other values, undo leads back to those that it had. */
+static void test_edit_originals(void **state) {
+    (void)state;
+    Error error = {0};
+    EditHistory history = {0};
+    SceneOverride overrides[SCENE_OVERRIDES_MAXIMUM];
+    const SceneOverride original = sphere_edit(1, "radius", 1), other = sphere_edit(1, "radius", 7);
+    assert_true(edit_history_keep_original(&history, &original, &error));
+    add_edit(&history, sphere_edit(1, "radius", 2), false);
+    assert_true(edit_history_keep_original(&history, &other, &error));
+    assert_true(edit_history_undo(&history));
+    assert_int_equal(edit_history_overrides(&history, overrides), 0);
+    assert_true(edit_history_redo(&history));
+    edit_history_wake_originals(&history, original.keyword, 1);
+    assert_true(radius_in_force(&history, 1) == 2);
+    assert_true(edit_history_undo(&history));
+    assert_true(radius_in_force(&history, 1) == 1);
+    assert_false(edit_history_undo(&history));
+    edit_history_deinit(&history);
+}
+
+/** Edits are checked as a scene file's own values, alone and with the object's other values. */
+static void test_edit_check(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    int box = scene_object_keyword_find("box"), material = scene_object_keyword_find("material");
+    SceneObject object;
+    Error error = {0};
+    assert_true(scene_object_find(scene, box, 1, &object));
+    assert_int_equal(object.origin->number, 1);
+    assert_true(object.origin->line > 0);
+    double low[3];
+    int low_row = scene_object_row_find(box, "min"), high_row = scene_object_row_find(box, "max");
+    scene_object_get(&object, low_row, low);
+    const SceneOverride edits[] = {{box, 1, high_row, {low[0], 10, 10}},
+                                   {box, 1, low_row, {low[0] - 1, low[1], low[2]}},
+                                   {box, 2, low_row, {NAN, 0, 0}}};
+    assert_false(scene_override_check(&object, edits, 1, &error));
+    assert_string_equal(error.message, "box needs min below max in x, y and z");
+    assert_true(scene_override_check(&object, edits, 3, &error));
+    const SceneOverride scale = {box, 1, scene_object_row_find(box, "scale"), {0, 1, 1}};
+    assert_false(scene_override_check(&object, &scale, 1, &error));
+    assert_true(scene_object_find(scene, material, 1, &object));
+    const SceneOverride wrong[] = {
+        {material, 1, scene_object_row_find(material, "ior"), {NAN}},
+        {material, 1, scene_object_row_find(material, "color"), {2, 0, 0}},
+        {material, 1, scene_object_row_find(material, "texture"), {1}},
+        {material, 1, 1000, {1}}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_false(scene_override_check(&object, &wrong[i], 1, &error));
+    }
+    assert_false(scene_object_find(scene, box, 0, &object));
+    assert_false(scene_object_find(scene, box, 99, &object));
+    assert_false(scene_object_find(scene, 99, 1, &object));
+    scene_destroy(scene);
+}
+
+/** A value is replaced or added in the text of a scene, and nothing else changes. */
+static void test_source_edit(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;   // The scene.
+        int line;           // Line of the sphere.
+        const char *field;  // Its field, which gets the value 7.
+        const char *wanted; // The new text; NULL: it is refused.
+    } cases[] = {
+        {"sphere { radius = 1 }", 1, "radius", "sphere { radius = 7 }"},
+        {"sphere{radius=-1.5e3,center={1,2,3}}", 1, "radius", "sphere{radius=7,center={1,2,3}}"},
+        {"sphere { center = {1, -2, 3} }", 1, "center", "sphere { center = 7 }"},
+        {"sphere { center = {1, -- radius = 2\n 2, 3} }", 1, "radius",
+         "sphere { center = {1, -- radius = 2\n 2, 3}, radius = 7 }"},
+        {"sphere {}", 1, "radius", "sphere { radius = 7}"},
+        {"sphere({ radius = 1; })", 1, "radius", "sphere({ radius = 7; })"},
+        {"\r\nsphere {\r\n  radius = 1,\r\n}\r\n", 2, "radius",
+         "\r\nsphere {\r\n  radius = 7,\r\n}\r\n"},
+        {"sphere {\n  a = 1, -- the end\n}", 1, "radius",
+         "sphere {\n  a = 1, radius = 7, -- the end\n}"},
+        {"#!/usr/bin/dioptre\n--[[ sphere {\n]] sphere { radius = 1 }", 3, "radius",
+         "#!/usr/bin/dioptre\n--[[ sphere {\n]] sphere { radius = 7 }"},
+        {"x = 'sphere { radius = 1 }' sphere { [\"radius\"] = 1 }", 1, "radius",
+         "x = 'sphere { radius = 1 }' sphere { [\"radius\"] = 7 }"},
+        {"sphere { material = material { radius = 2 }, radius = 1 }", 1, "radius",
+         "sphere { material = material { radius = 2 }, radius = 7 }"},
+        {"sphere { f = function() if a then return { radius = 2 } end end, radius = 1 }", 1,
+         "radius", "sphere { f = function() if a then return { radius = 2 } end end, radius = 7 }"},
+        {"sphere { radius = r }", 1, "radius", NULL},
+        {"sphere { radius = 1 + 1 }", 1, "radius", NULL},
+        {"sphere { radius = ({1})[1] }", 1, "radius", NULL},
+        {"sphere { center = {x, 0, 0} }", 1, "center", NULL},
+        {"sphere { radius = 1, radius = 2 }", 1, "radius", NULL},
+        {"sphere { [k] = 1 }", 1, "radius", NULL},
+        {"sphere { radius = 1 } sphere { radius = 2 }", 1, "radius", NULL},
+        {"sphere(options)", 1, "radius", NULL},
+        {"my.sphere { radius = 1 }", 1, "radius", NULL},
+        {"sphere { radius = 1 }", 2, "radius", NULL},
+        {"sphere { radius = 'one\\'", 1, "center", "sphere { radius = 'one\\', center = 7"},
+        {"", 1, "radius", NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Error error = {0};
+        size_t size = 0;
+        const SourceField field = {"sphere", cases[i].line, cases[i].field, "7"};
+        char *text = source_edit_set(cases[i].text, strlen(cases[i].text), &field, &size, &error);
+        if (!text != !cases[i].wanted || (text && strcmp(text, cases[i].wanted) != 0)) {
+            fail_msg("%s\nbecomes: %s (%s)", cases[i].text, text ? text : "nothing", error.message);
+        }
+        assert_true(text ? size == strlen(text) : error.message[0] != '\0');
+        free(text);
+    }
+}
+
+/** The text of an object makes the same object again. */
+static void test_object_text(void **state) {
+    (void)state;
+    Scene *scene = load_scene("scenes/box.lua");
+    SceneObject object;
+    assert_true(scene_object_find(scene, scene_object_keyword_find("sphere"), 1, &object));
+    char *text = scene_text_of_object(scene, &object);
+    assert_string_equal(text, "sphere { center = {-0.8, -1.15, -0.9}, radius = 0.85, material = "
+                              "material { color = {0.95, 0.05, 0.04}, specular = 0.9, shininess = "
+                              "150, reflectivity = {0.42, 0.2, 0.2} } }");
+    free(text);
+    scene_destroy(scene);
+}
+
+/** Ctrl with a letter is a command of its own, however the letter alone is used. */
+static void test_keymap_ctrl(void **state) {
+    (void)state;
+    const SDL_Keysym undo = {.scancode = SDL_SCANCODE_Z, .sym = SDLK_z, .mod = KMOD_LCTRL};
+    const SDL_Keysym redo = {
+        .scancode = SDL_SCANCODE_Z, .sym = SDLK_z, .mod = KMOD_RCTRL | KMOD_LSHIFT};
+    const SDL_Keysym plain = {.scancode = SDL_SCANCODE_Z, .sym = SDLK_z};
+    assert_string_equal(command_find_key(command_table, undo, false)->name, "undo");
+    assert_string_equal(command_find_key(command_table, redo, false)->name, "undo back");
+    assert_string_equal(command_find_key(command_table, plain, false)->name, "light nearer");
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -1018,6 +1208,12 @@ int main(void) {
         cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),
         cmocka_unit_test(test_drop),
+        cmocka_unit_test(test_edit_history),
+        cmocka_unit_test(test_edit_originals),
+        cmocka_unit_test(test_edit_check),
+        cmocka_unit_test(test_source_edit),
+        cmocka_unit_test(test_object_text),
+        cmocka_unit_test(test_keymap_ctrl),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -175,8 +175,13 @@ xdotool windowsize --sync "$window" 800 600 && sleep 0.5
 xdotool key Escape Home
 restored plain 'Esc takes them away'
 xdotool mousemove --window "$window" 300 430 click 1
-changed plain clicked 'a click shows the rays of that pixel'
+changed plain clicked 'a click selects what is there: its inspector opens'
 xdotool key v
+changed clicked looked 'v shows the rays of that pixel'
+xdotool key Escape
+restored clicked 'Esc takes them away'
+xdotool key Escape
+restored plain 'and then the inspector'
 leave 'Esc leaves when no rays are shown'
 
 # --- every key -----------------------------------------------------------------------------------

@@ -50,6 +50,9 @@ typedef enum {
     LESSON_RAY,     /**< One of these rays is chosen: a click on it. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_DRAG,    /**< A light is dragged in the picture. */
+    LESSON_SELECT,  /**< An object is selected. */
+    LESSON_SET,     /**< A field of an object gets a value. */
+    LESSON_MOVE,    /**< An object is moved. */
     LESSON_CAPTION, /**< A caption is shown. */
     LESSON_ASK,     /**< A question is shown: the lesson waits for a prediction. */
     LESSON_EXPLAIN, /**< What was asked has been seen: the answer is shown. */
@@ -71,12 +74,19 @@ typedef struct LessonStep {
     int64_t time;        /**< Its time, milliseconds from the beginning. */
     int action; /**< The command of #LESSON_PRESS and #LESSON_RELEASE: an index into the names that
                    the lesson was read with. Index of the light of #LESSON_DRAG, of the ray of
-                   #LESSON_RAY, of the question of #LESSON_ASK and #LESSON_EXPLAIN. */
+                   #LESSON_RAY, of the question of #LESSON_ASK and #LESSON_EXPLAIN. Number of the
+                   object of #LESSON_SELECT, #LESSON_SET and #LESSON_MOVE, see
+                   SceneOverride::number; 0: none. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
-                 fraction of the picture's width; pixels to the right; scene units along x. */
+                 fraction of the picture's width; pixels to the right; scene units along x.
+                 -1 for #LESSON_SELECT without a pixel. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
                  top; pixels down; scene units along y. */
-    double z; /**< Scene units along z, of #LESSON_DRAG. */
+    double z; /**< Scene units along z, of #LESSON_DRAG and #LESSON_MOVE. With #x and #y the
+                 numbers of #LESSON_SET. */
+    int keyword;    /**< Keyword of the object, see SceneOverride::keyword. */
+    int row;        /**< Field of #LESSON_SET, see SceneOverride::row. */
+    bool continues; /**< Whether undo takes the step before it back, too. */
     LessonText text;       /**< Text of a caption. */
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;

@@ -90,6 +90,25 @@ bool parameter_check_range(const Parameter *parameter, double value, Error *erro
 /** @return Whether a keyword is of a distance field, its first parameter. @param keyword It. */
 bool keyword_has_field(const Keyword *keyword);
 
+/** Most numbers of a value, see #parameter_number_count. */
+enum { PARAMETER_NUMBERS_MAXIMUM = 3 };
+
+/** @return How many numbers make a value of a type: 3 for a point; 1 for a choice, its index, and
+ *  for a boolean, 0 or 1; 0 for files and fields. */
+int parameter_number_count(ParameterType type);
+
+/** Reads the value of a row as numbers. @param values The struct. @param[out] numbers
+ *  #parameter_number_count of them. */
+void parameter_get_numbers(const Parameter *row, const void *values, double *numbers);
+
+/** Writes the value of a row. @param values The struct. @param numbers Checked by
+ *  #parameter_check_numbers. */
+void parameter_set_numbers(const Parameter *row, void *values, const double *numbers);
+
+/** Checks the numbers of a value. @param[out] error What is wrong. @return Whether a scene file may
+ *  give this value; false for a row without numbers. */
+bool parameter_check_numbers(const Parameter *row, const double *numbers, Error *error);
+
 /**
  * Translates the struct of a keyword: all its #PARAMETER_POINT fields.
  * @param keyword         The keyword.

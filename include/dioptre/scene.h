@@ -20,6 +20,16 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+/* --- Where things come from ------------------------------------------------------------------- */
+
+/** The call of a scene file that made a light, a material or a shape. */
+typedef struct SceneOrigin {
+    int number; /**< Its place among the calls of its keyword in one run of the file, from 1; 0: no
+                     call made it. */
+    int line;   /**< Its line in the scene file; 0: unknown, or in an included file. */
+    uint64_t given; /**< Bit i: the call gives row i of the keyword's table. */
+} SceneOrigin;
+
 /* --- Textures --------------------------------------------------------------------------------- */
 
 /** Colours of a texel: red, green, blue. */
@@ -172,6 +182,7 @@ typedef struct SceneLight {
     Vec3d direction; /**< For lights at infinity: the direction in which the light travels; not
                         zero. */
     double own[SCENE_LIGHT_OWN_DOUBLES]; /**< The struct of the class; see #scene_light_own. */
+    SceneOrigin origin;                  /**< The call that made it. */
 } SceneLight;
 
 /** Offset in #SceneLight of a field of the struct of a class, for its parameter table. */
@@ -295,6 +306,7 @@ typedef struct SceneMaterial {
                           at most 1. */
     double ior;        /**< Index of refraction inside; that of air is 1. */
     Rgbd emission;     /**< Light that the surface emits, linear. */
+    SceneOrigin origin; /**< The call that made it. */
 } SceneMaterial;
 
 /** The scene language's `material`. */
@@ -639,7 +651,7 @@ typedef struct SceneShape {
     const void *parameters;     /**< Parameter struct of its kind; owned by the scene. */
     size_t material_index;      /**< Index in #Scene.materials. */
     const Transform *transform; /**< Its transform; NULL: none. Owned by the scene. */
-    int line;                   /**< Line in the scene file; 0: unknown, or in an included file. */
+    SceneOrigin origin;         /**< The call that made it; in NFF only its line is known. */
 } SceneShape;
 
 /** A file that a scene names; one per file, however often the scene names it. */

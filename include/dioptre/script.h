@@ -7,6 +7,7 @@
 
 #include "dioptre/lesson.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_override.h"
 
 #include <stdatomic.h>
 
@@ -47,6 +48,8 @@ typedef struct ScriptRequest {
     const MeshProgress *progress; /**< Receives the progress of reading mesh files; NULL: none. */
     AssetCache *cache;            /**< Files of earlier loads, updated by this one; NULL: none. */
     const atomic_bool *stop;      /**< Loading stops once this is true; NULL: never. */
+    const SceneOverride *overrides; /**< Values in place of those of the file; NULL: none. */
+    size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
     const char
         *worker; /**< Program of the worker, see script/script_worker.h; NULL: dioptre-worker. */
 } ScriptRequest;

@@ -7,12 +7,15 @@
 
 #include "dioptre/lesson.h"
 #include "dioptre/renderer.h"
+#include "dioptre/scene_override.h"
 
 /** A request of the window for a scene. */
 typedef struct ViewRequest {
     const char *path;  /**< Its file, or that of a lesson; NULL: the scene that was loaded last. */
     double time;       /**< Its `t`, seconds. */
     bool force_reload; /**< Whether its files may have changed since they were read. */
+    const SceneOverride *overrides; /**< Values in place of those of its file; NULL: none. */
+    size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
 } ViewRequest;
 
 /**

@@ -113,8 +113,9 @@ static bool render_frame(Animation *animation, RenderJob *job, Error *error) {
         progress_done(animation->progress);
         return true;
     }
-    Scene *scene =
-        command_load_scene_at(job->options, job->time, animation->cache, interrupt_flag(), error);
+    Scene *scene = command_run_scene(
+        job->options,
+        &(SceneRun){.time = job->time, .cache = animation->cache, .stop = interrupt_flag()}, error);
     use_scene(animation, scene);
     job->settings = animation->settings;
     picture_deinit(&animation->picture);

@@ -32,15 +32,17 @@ Scene *command_load_scene(const Options *options, RenderSettings *settings, Erro
  *  #command_render_settings. */
 RenderSettings command_print_notes(const Options *options, const Scene *scene);
 
-/**
- * Loads the scene of a command line at another time.
- * @param time  The scene's `t`, seconds.
- * @param[in,out] cache  The assets of earlier calls; may be NULL.
- * @param stop  Loading ends early once this is true; may be NULL.
- * @return See #command_load_scene.
- */
-Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
-                             const atomic_bool *stop, Error *error);
+/** How the scene of a command line is run. */
+typedef struct SceneRun {
+    double time;                    /**< The scene's `t`, seconds. */
+    AssetCache *cache;              /**< The assets of earlier runs; may be NULL. */
+    const atomic_bool *stop;        /**< Loading ends early once this is true; may be NULL. */
+    const SceneOverride *overrides; /**< See #ScriptRequest.overrides. */
+    size_t override_count;          /**< Their number. */
+} SceneRun;
+
+/** Loads the scene of a command line. @return See #command_load_scene. */
+Scene *command_run_scene(const Options *options, const SceneRun *run, Error *error);
 
 /** @return The settings of a scene, with those of the command line over them. */
 RenderSettings command_render_settings(const Options *options, const Scene *scene);

@@ -20,7 +20,8 @@ static atomic_bool is_interrupted;
 static atomic_bool is_awaited;
 
 Scene *command_load_scene(const Options *options, RenderSettings *settings, Error *error) {
-    Scene *scene = command_load_scene_at(options, options->time, NULL, &is_interrupted, error);
+    Scene *scene = command_run_scene(
+        options, &(SceneRun){.time = options->time, .stop = &is_interrupted}, error);
     if (scene) {
         *settings = command_print_notes(options, scene);
     }
@@ -46,17 +47,18 @@ static void print_coincident(const ZFighting *found) {
     }
 }
 
-Scene *command_load_scene_at(const Options *options, double time, AssetCache *cache,
-                             const atomic_bool *stop, Error *error) {
+Scene *command_run_scene(const Options *options, const SceneRun *run, Error *error) {
     MeshReadProgress mesh_progress;
     ScriptRequest request = {.path = options->arguments[0],
                              .base_dir = options->base_dir,
-                             .time = time,
+                             .time = run->time,
                              .time_limit = SCRIPT_TIME_LIMIT,
                              .memory_limit = SCRIPT_MEMORY_LIMIT,
                              .progress = mesh_read_progress_init(&mesh_progress, options),
-                             .cache = cache,
-                             .stop = stop};
+                             .cache = run->cache,
+                             .overrides = run->overrides,
+                             .override_count = run->override_count,
+                             .stop = run->stop};
     return script_load(&request, error);
 }
 

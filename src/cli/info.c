@@ -320,7 +320,7 @@ static void write_tapes(const SceneInfo *info, JsonWriter *json) {
         const Sdf *field = scene_shape_facts(scene, &scene->shapes[i]).sdf;
         for (const SdfNode *tape = NULL; (tape = next_tape(field, tape));) {
             json_object_begin(json, NULL);
-            json_integer(json, "line", scene->shapes[i].line);
+            json_integer(json, "line", scene->shapes[i].origin.line);
             json_integer(json, "operations", tape->body_count);
             json_number(json, "slope", tape->operands[SDF_TAPE_SLOPE], 6);
             json_number(json, "divided_by", 1 / tape->operands[SDF_TAPE_FACTOR], 6);

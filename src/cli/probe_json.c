@@ -35,7 +35,7 @@ static void write_hit_vector(JsonWriter *json, const char *name, Vec3d v, bool i
 static void write_surface(JsonWriter *json, const ProbeReport *report, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
     json_string(json, "keyword", ray_hit_keyword(report->scene, ray));
-    int line = report->scene->shapes[ray->shape].line;
+    int line = report->scene->shapes[ray->shape].origin.line;
     write_index(json, "line", line > 0 ? line : -1);
     if (ray->kind == RAY_SHADOW) {
         return;

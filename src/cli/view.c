@@ -104,7 +104,14 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
         time = (*lesson)->initial_settings.time;
     }
     AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
-    Scene *scene = cache ? command_load_scene_at(&options, time, cache, stop, error) : NULL;
+    Scene *scene = cache ? command_run_scene(&options,
+                                             &(SceneRun){.time = time,
+                                                         .cache = cache,
+                                                         .stop = stop,
+                                                         .overrides = request->overrides,
+                                                         .override_count = request->override_count},
+                                             error)
+                         : NULL;
     if (scene) {
         *render = needs_new_cache ? command_print_notes(&options, scene)
                                   : command_render_settings(&options, scene);
@@ -132,7 +139,8 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     if (lesson_file_is(path) && !(lesson = open_lesson(path, &options, error))) {
         return NULL;
     }
-    Scene *scene = command_load_scene_at(&options, options.time, NULL, stop, error);
+    Scene *scene = command_run_scene(
+        &options, &(SceneRun){.time = options.time, .stop = stop}, error);
     if (scene) {
         *render = command_render_settings(&options, scene);
     }

@@ -313,9 +313,9 @@ void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_
         snprintf(name, RAY_HIT_NAME_SIZE, "%s", gettext("nothing but the sky"));
     } else if (ray->shape < 0) {
         snprintf(name, RAY_HIT_NAME_SIZE, gettext("lamp %d"), ray->light + 1);
-    } else if (scene->shapes[ray->shape].line > 0) {
+    } else if (scene->shapes[ray->shape].origin.line > 0) {
         snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"), ray_hit_keyword(scene, ray),
-                 scene->shapes[ray->shape].line);
+                 scene->shapes[ray->shape].origin.line);
     } else {
         snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"), ray_hit_keyword(scene, ray),
                  ray->shape + 1);

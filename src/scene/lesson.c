@@ -6,6 +6,7 @@
 
 #include "base/untrusted.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_override.h"
 
 #include <string.h>
 #include <sys/mman.h>
@@ -181,10 +182,17 @@ static bool check_action(const Lesson *lesson, const LessonStep *step, int comma
     return count == NO_ACTION || (step->action >= 0 && (size_t)step->action < count);
 }
 
-/** @return Whether the numbers of a step are in range: lengths of the scene, or others. */
+/** @return Whether the numbers of a step are valid. */
 static bool check_numbers(const LessonStep *step) {
-    double maximum = step->kind == LESSON_DRAG ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
-    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum;
+    const double numbers[PARAMETER_NUMBERS_MAXIMUM] = {step->x, step->y, step->z};
+    const Parameter *row = scene_object_row(step->keyword, step->row);
+    if (step->kind == LESSON_SET) {
+        return row && step->action > 0 && parameter_check_numbers(row, numbers, NULL);
+    }
+    bool is_object = step->kind == LESSON_SELECT || step->kind == LESSON_MOVE;
+    double maximum = step->kind == LESSON_DRAG || is_object ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum &&
+           (!is_object || (step->action >= 0 && scene_object_keyword(step->keyword)));
 }
 
 /** @return Whether a step is valid. @param time Time of the step before. */
@@ -192,7 +200,8 @@ static bool check_step(const Lesson *lesson, const LessonStep *step, int64_t tim
                        int action_count) {
     return step->kind <= LESSON_SNAPSHOT && step->time >= time &&
            check_action(lesson, step, action_count) && check_numbers(step) &&
-           check_texts(lesson, &step->text) && untrusted_is_bool(&step->waits_for_viewer);
+           untrusted_is_bool(&step->continues) && check_texts(lesson, &step->text) &&
+           untrusted_is_bool(&step->waits_for_viewer);
 }
 
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error) {

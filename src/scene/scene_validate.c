@@ -92,6 +92,11 @@ static bool check_field(BlockCheck *check, const void *value) {
            claim(check, field, 1, sdf_size(field->node_count)) && sdf_check(field);
 }
 
+/** @return Whether the origin of a thing is valid. */
+static bool check_origin(const SceneOrigin *origin) {
+    return origin->number >= 0 && origin->line >= 0;
+}
+
 /** @return Number of words of a choice. */
 static int choice_count(const Parameter *row) {
     int count = 0;
@@ -186,6 +191,7 @@ static bool check_shapes(BlockCheck *check) {
         const Keyword *keyword =
             shape->class_index < check->keyword_count ? check->keywords[shape->class_index] : NULL;
         is_valid = keyword && shape->material_index < scene->material_count &&
+                   check_origin(&shape->origin) &&
                    claim(check, shape->parameters, 1, keyword->size) &&
                    check_values(check, keyword, shape->parameters) &&
                    check_transform(check, shape->transform);
@@ -205,6 +211,7 @@ static bool check_light(BlockCheck *check, const SceneLight *light) {
            check_finite(light->own, SCENE_LIGHT_OWN_DOUBLES) &&
            check_finite(&light->position.x, 3) && check_finite(&light->direction.x, 3) &&
            check_finite(&light->color.red, 3) &&
+           check_origin(&light->origin) &&
            check_values(check, scene_light_keyword_for(light), light);
 }
 
@@ -218,7 +225,8 @@ static bool check_lights_and_materials(BlockCheck *check) {
         is_valid = check_light(check, &scene->lights[i]);
     }
     for (size_t i = 0; i < scene->material_count && is_valid; i++) {
-        is_valid = check_values(check, &scene_material_keyword, &scene->materials[i]);
+        is_valid = check_origin(&scene->materials[i].origin) &&
+                   check_values(check, &scene_material_keyword, &scene->materials[i]);
     }
     return is_valid;
 }

@@ -18,6 +18,7 @@ typedef struct KeywordCall {
     const void *values;         /**< The keyword's struct, finished. */
     size_t material;            /**< For shapes: index of the material in #Scene.materials. */
     const Transform *transform; /**< For shapes: the transform; NULL: none. */
+    SceneOrigin origin;         /**< Where the call is. */
 } KeywordCall;
 
 /** Adds the result of a call to the scene. @return false when the scene's memory is full. */
@@ -29,6 +30,7 @@ typedef struct KeywordFunction {
     AddFunction *add;       /**< Adds the result to the scene. */
     bool is_shape;          /**< Whether it takes the fields of all shapes. */
     size_t kind;            /**< Index of the shape's or light's class. */
+    int calls;              /**< Number of its calls in this run. */
 } KeywordFunction;
 
 /** Result of a keyword in Lua: a reference to a part of the scene. */
@@ -63,12 +65,15 @@ static bool add_sky(Scene *scene, const KeywordCall *call, Error *error) {
 static bool add_light(Scene *scene, const KeywordCall *call, Error *error) {
     SceneLight light = *(const SceneLight *)call->values;
     light.class_index = call->kind;
+    light.origin = call->origin;
     return scene_add_light(scene, &light, error);
 }
 
 /** Adds a material. See #AddFunction. @return false when the scene's memory is full. */
 static bool add_material(Scene *scene, const KeywordCall *call, Error *error) {
-    return scene_add_material(scene, call->values, error);
+    SceneMaterial material = *(const SceneMaterial *)call->values;
+    material.origin = call->origin;
+    return scene_add_material(scene, &material, error);
 }
 
 /** Adds a shape. See #AddFunction. @return false when the scene's memory is full. */
@@ -77,8 +82,11 @@ static bool add_shape(Scene *scene, const KeywordCall *call, Error *error) {
         return error_set(error, STATUS_SCENE, "%s takes no picture: no point of it has a (u, v)",
                          call->keyword->name);
     }
-    return scene_add_shape(scene, call->kind, call->keyword, call->values, call->material, error) &&
-           (!call->transform || scene_set_last_transform(scene, call->transform, error));
+    if (!scene_add_shape(scene, call->kind, call->keyword, call->values, call->material, error)) {
+        return false;
+    }
+    scene->shapes[scene->shape_count - 1].origin = call->origin;
+    return !call->transform || scene_set_last_transform(scene, call->transform, error);
 }
 
 /** The keywords of every scene, apart from shapes and lights. */
@@ -151,14 +159,68 @@ static void read_shape_fields(lua_State *L, KeywordCall *call) {
 static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
     const Keyword *const keywords[] = {function->keyword,
                                        function->is_shape ? &transform_keyword : NULL, NULL};
-    uint64_t given;
     read_check_arguments(L, keywords, function->is_shape ? scene_material_keyword.name : NULL);
     KeywordCall call = {.keyword = function->keyword, .kind = function->kind};
-    call.values = read_fields(L, function->keyword, &given);
+    call.values = read_fields(L, function->keyword, &call.origin.given);
     if (function->is_shape) {
         read_shape_fields(L, &call);
     }
     return call;
+}
+
+/** Pushes the value of an override as a scene file would write it. */
+static void push_override(lua_State *L, const Parameter *row, const double *numbers) {
+    int count = parameter_number_count(row->type);
+    if (row->type == PARAMETER_BOOLEAN) {
+        lua_pushboolean(L, numbers[0] != 0);
+    } else if (row->type == PARAMETER_CHOICE) {
+        lua_pushstring(L, row->choices[(int)numbers[0]]);
+    } else if (count == 1) {
+        lua_pushnumber(L, numbers[0]);
+    } else {
+        lua_createtable(L, count, 0);
+        for (int i = 0; i < count; i++) {
+            lua_pushnumber(L, numbers[i]);
+            lua_rawseti(L, -2, i + 1);
+        }
+    }
+}
+
+/** Replaces the argument of a call by a copy of the table, which other calls may share. */
+static void copy_argument(lua_State *L) {
+    lua_newtable(L);
+    lua_pushnil(L);
+    while (lua_next(L, 1)) {
+        lua_pushvalue(L, -2);
+        lua_insert(L, -2);
+        lua_rawset(L, -4);
+    }
+    lua_replace(L, 1);
+}
+
+/**
+ * Gives a call the values that replace those of the file. They are checked like the file's own.
+ * @param L         The state, with the arguments.
+ * @param function  The keyword; this call is counted.
+ */
+static void apply_overrides(lua_State *L, const KeywordFunction *function) {
+    const ScriptRequest *request = ((ScriptRun *)script_sandbox_of(L)->context)->request;
+    bool is_copied = false;
+    for (size_t i = 0; i < request->override_count && lua_istable(L, 1); i++) {
+        const SceneOverride *override = &request->overrides[i];
+        const Parameter *row = scene_object_row(override->keyword, override->row);
+        if (override->number != function->calls || !row ||
+            scene_object_keyword(override->keyword) != function->keyword ||
+            !parameter_check_numbers(row, override->numbers, NULL)) {
+            continue;
+        }
+        if (!is_copied) {
+            copy_argument(L);
+            is_copied = true;
+        }
+        push_override(L, row, override->numbers);
+        lua_setfield(L, 1, row->name);
+    }
 }
 
 /**
@@ -167,17 +229,18 @@ static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
  * @return 1: the reference to the new part of the scene.
  */
 static int call_keyword(lua_State *L) {
-    const KeywordFunction *function = lua_touserdata(L, lua_upvalueindex(1));
+    KeywordFunction *function = lua_touserdata(L, lua_upvalueindex(1));
     Scene *scene = ((ScriptRun *)script_sandbox_of(L)->context)->scene;
     // The line of this call; file 0 is the scene file.
     SourceLocation location = script_sandbox_of(L)->result->location;
     Error error = {0};
+    function->calls++;
+    apply_overrides(L, function);
     KeywordCall call = read_call(L, function);
+    call.origin.number = function->calls;
+    call.origin.line = location.file == 0 ? location.line : 0;
     if (!function->add(scene, &call, &error)) {
         return lua_error_tr(L, "%s", error.message);
-    }
-    if (function->is_shape && location.file == 0) {
-        scene->shapes[scene->shape_count - 1].line = location.line;
     }
     bool is_material = function->keyword == &scene_material_keyword;
     push_handle(L, function->keyword->name,

@@ -7,6 +7,7 @@
 
 #include "base/language.h"
 #include "base/suggest.h"
+#include "dioptre/scene_override.h"
 #include "script/lesson_fields.h"
 #include "script/lua_error.h"
 #include "script/script_sandbox.h"
@@ -14,6 +15,7 @@
 #include <lauxlib.h>
 #include <libintl.h>
 #include <math.h>
+#include <stdalign.h>
 #include <string.h>
 
 /** Largest factor of `speed`. */
@@ -22,6 +24,8 @@ static const double SPEED_MAXIMUM = 1000;
 static const double SPEED_MINIMUM = 0.001;
 /** Largest rotation of the camera in one step, degrees. */
 static const double TURN_MAXIMUM = 360;
+/** Largest number of an object. */
+static const double OBJECT_NUMBER_MAXIMUM = 1e9;
 /** Largest number of notches of the mouse wheel in one step. */
 static const double NOTCHES_MAXIMUM = 1000;
 
@@ -278,6 +282,90 @@ static int call_drag(lua_State *L) {
     return 0;
 }
 
+/** Reads the keyword and the number of an object: the first two arguments. */
+static void read_object(lua_State *L, LessonStep *step) {
+    Suggestion suggestion = {.word = luaL_checkstring(L, 1)};
+    char hint[SUGGEST_HINT_SIZE];
+    const Keyword *keyword;
+    step->keyword = scene_object_keyword_find(suggestion.word);
+    for (int i = 0; step->keyword < 0 && (keyword = scene_object_keyword(i)); i++) {
+        suggest_try(&suggestion, keyword->name);
+    }
+    if (step->keyword < 0) {
+        lua_error_tr(L, "there is no object `%s`%s", suggestion.word,
+                     suggest_hint(&suggestion, hint));
+    }
+    step->action = (int)read_number(L, 2, suggestion.word, 1, OBJECT_NUMBER_MAXIMUM);
+}
+
+/** `select(OBJECT, NUMBER, X, Y)`, clicked at fractions of the image; `select()`: none. See
+ *  lua_CFunction. @return 0 */
+static int call_select(lua_State *L) {
+    check_argument_count(L, 0, 4, "select(\"OBJECT\", NUMBER, X, Y)");
+    LessonStep step = {.kind = LESSON_SELECT, .x = -1};
+    if (lua_gettop(L) > 0) {
+        read_object(L, &step);
+    }
+    if (lua_gettop(L) > 2) {
+        step.x = read_number(L, 3, "select", 0, 1);
+        step.y = read_number(L, 4, "select", 0, 1);
+    }
+    add_step(L, step);
+    return 0;
+}
+
+/** Reads the field and the value of `set`. */
+static void read_setting(lua_State *L, LessonStep *step) {
+    const Keyword *keyword = scene_object_keyword(step->keyword);
+    Suggestion suggestion = {.word = luaL_checkstring(L, 3)};
+    char hint[SUGGEST_HINT_SIZE];
+    const Parameter *row;
+    for (int i = 0; (row = scene_object_row(step->keyword, i)); i++) {
+        suggest_try(&suggestion, row->name);
+    }
+    step->row = scene_object_row_find(step->keyword, suggestion.word);
+    row = scene_object_row(step->keyword, step->row);
+    if (!row) {
+        lua_error_tr(L, "%s has no field `%s`%s", keyword->name, suggestion.word,
+                     suggest_hint(&suggestion, hint));
+        return;
+    }
+    if (parameter_number_count(row->type) == 0) {
+        lua_error_tr(L, "%s is no number", row->name);
+    }
+    alignas(max_align_t) char value[PARAMETER_NUMBERS_MAXIMUM * sizeof(double)] = {0};
+    double numbers[PARAMETER_NUMBERS_MAXIMUM] = {0};
+    Parameter alone = *row;
+    alone.offset = 0;
+    read_value(L, 4, row, value);
+    parameter_get_numbers(&alone, value, numbers);
+    step->x = numbers[0];
+    step->y = numbers[1];
+    step->z = numbers[2];
+}
+
+/** `set(OBJECT, NUMBER, FIELD, VALUE, CONTINUES)`. See lua_CFunction. @return 0 */
+static int call_set(lua_State *L) {
+    check_argument_count(L, 4, 5, "set(\"OBJECT\", NUMBER, \"FIELD\", VALUE)");
+    LessonStep step = {.kind = LESSON_SET, .continues = lua_toboolean(L, 5)};
+    read_object(L, &step);
+    read_setting(L, &step);
+    add_step(L, step);
+    return 0;
+}
+
+/** `move(OBJECT, NUMBER, X, Y, Z, CONTINUES)`, scene units. See lua_CFunction. @return 0 */
+static int call_move(lua_State *L) {
+    check_argument_count(L, 5, 6, "move(\"OBJECT\", NUMBER, X, Y, Z)");
+    LessonStep step = {.kind = LESSON_MOVE, .continues = lua_toboolean(L, 6)};
+    read_object(L, &step);
+    step.x = read_number(L, 3, "move", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    step.y = read_number(L, 4, "move", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    step.z = read_number(L, 5, "move", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    add_step(L, step);
+    return 0;
+}
+
 /** `snapshot()`. See lua_CFunction. @return 0 */
 static int call_snapshot(lua_State *L) {
     check_argument_count(L, 0, 0, "snapshot()");
@@ -293,7 +381,8 @@ static void register_functions(lua_State *L) {
         {"speed", call_speed},      {"turn", call_turn},       {"zoom", call_zoom},
         {"size", call_size},        {"pixel", call_pixel},     {"walk", call_walk},
         {"ray", call_ray},          {"bar", call_bar},         {"drag", call_drag},
-        {"ask", call_ask},          {"snapshot", call_snapshot}};
+        {"ask", call_ask},          {"select", call_select},   {"set", call_set},
+        {"move", call_move},        {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }

@@ -120,7 +120,7 @@ static bool add_shape(NffReader *reader, KeywordValues *values) {
                     scene_add_shape(scene, scene_shape_find(values->keyword->name), values->keyword,
                                     values->bytes, reader->material, reader->error);
     if (is_added) {
-        scene->shapes[scene->shape_count - 1].line = reader->line;
+        scene->shapes[scene->shape_count - 1].origin.line = reader->line;
     }
     return is_added;
 }

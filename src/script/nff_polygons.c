@@ -162,7 +162,7 @@ static bool add_mesh(Scene *scene, MeshBuilder *builder, const NffPolygon *first
     bool is_added = scene_add_shape(scene, class_index, scene_shape_keywords[class_index], &shape,
                                     first->material, error);
     if (is_added) {
-        scene->shapes[scene->shape_count - 1].line = first->line;
+        scene->shapes[scene->shape_count - 1].origin.line = first->line;
     }
     return is_added;
 }

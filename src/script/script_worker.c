@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Start of a request to the worker; the text and the names of actions follow. */
+/** Start of a request to the worker; the overrides, the text and the names of actions follow. */
 typedef struct ScriptJobHead {
     char path[PATH_MAX];     /**< See #ScriptRequest.path. */
     char base_dir[PATH_MAX]; /**< See #ScriptRequest.base_dir. */
@@ -28,7 +28,18 @@ typedef struct ScriptJobHead {
     size_t text_size;        /**< Bytes of the text. */
     size_t action_count;     /**< Number of names, each ended by a zero byte. */
     int move_count;          /**< See #ActionNames.move_count. */
+    size_t override_count;   /**< See #ScriptRequest.override_count. */
 } ScriptJobHead;
+
+/** @return The overrides of a request. */
+static SceneOverride *head_overrides(const ScriptJobHead *head) {
+    return (SceneOverride *)(uintptr_t)(head + 1);
+}
+
+/** @return The text of a request. */
+static char *head_text(const ScriptJobHead *head) {
+    return (char *)(head_overrides(head) + head->override_count);
+}
 
 /** Limit of a run's data outside of Lua, bytes: lists of NFF and of meshes, as long as a scene. */
 #define SCRIPT_NATIVE_MEMORY_LIMIT SCENE_MEMORY_SIZE
@@ -58,7 +69,8 @@ static void *pack_request(const ScriptCall *call, size_t *size) {
     const ScriptRequest *request = call->request;
     size_t action_count, text_size = call->text->size;
     size_t names_size = action_names_size(call->actions, &action_count);
-    *size = sizeof(ScriptJobHead) + text_size + names_size;
+    size_t overrides_size = request->override_count * sizeof *request->overrides;
+    *size = sizeof(ScriptJobHead) + overrides_size + text_size + names_size;
     ScriptJobHead *head = calloc(1, *size);
     if (!head) {
         return NULL;
@@ -69,11 +81,15 @@ static void *pack_request(const ScriptCall *call, size_t *size) {
                             .address = call->block,
                             .text_size = text_size,
                             .action_count = action_count,
+                            .override_count = request->override_count,
                             .move_count = call->actions ? call->actions->move_count : 0};
     snprintf(head->path, sizeof head->path, "%s", request->path);
     snprintf(head->base_dir, sizeof head->base_dir, "%s",
              request->base_dir ? request->base_dir : "");
-    char *next = mempcpy(head + 1, call->text->text, text_size);
+    if (overrides_size > 0) {
+        memcpy(head_overrides(head), request->overrides, overrides_size);
+    }
+    char *next = mempcpy(head_text(head), call->text->text, text_size);
     for (size_t i = 0; i < action_count; i++) {
         next = stpcpy(next, call->actions->names[i]) + 1;
     }
@@ -161,7 +177,7 @@ static ScriptText unpack_text(const ScriptJobHead *head) {
     if (!text.text) {
         _Exit(EXIT_FAILURE);
     }
-    memcpy(text.text, head + 1, head->text_size);
+    memcpy(text.text, head_text(head), head->text_size);
     return text;
 }
 
@@ -184,6 +200,8 @@ static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_
                                    .base_dir = head->has_base_dir ? head->base_dir : NULL,
                                    .time = head->time,
                                    .memory_limit = head->memory_limit,
+                                   .overrides = head_overrides(head),
+                                   .override_count = head->override_count,
                                    .shape_keywords = shape_keywords};
     run->request = &request;
     run->text = &text;
@@ -233,7 +251,7 @@ void script_worker_nff(WorkerJob *job) {
 /** @return The names of actions in a request, ended by NULL. */
 static const char **unpack_action_names(const ScriptJobHead *head) {
     const char **names = calloc(head->action_count + 1, sizeof *names);
-    const char *next = (const char *)(head + 1) + head->text_size;
+    const char *next = head_text(head) + head->text_size;
     for (size_t i = 0; names && i < head->action_count; i++) {
         names[i] = next;
         next += strlen(next) + 1;

@@ -34,7 +34,10 @@ void app_sync_window(App *app) {
                                                   .is_animated = app_is_animated(app),
                                                   .is_running = app->timeline.is_running,
                                                   .is_recording = app_is_recording(app),
-                                                  .is_playing = app_is_playing(app)});
+                                                  .is_playing = app_is_playing(app),
+                                                  .edits = &app->edits,
+                                                  .is_light_moved =
+                                                      app->home_view.is_light_moved});
 }
 
 void app_clear_status(App *app) {
@@ -100,7 +103,8 @@ bool app_is_animated(const App *app) {
 
 bool app_is_time_settled(const App *app) {
     bool is_stopped = !app->timeline.is_running || app_is_lesson_stopped(app);
-    return is_stopped && (!app_is_animated(app) || app_scene_time(app) == app->scene_time);
+    bool is_edited = app->source.shown_revision == app->edits.revision;
+    return is_stopped && is_edited && (!app_is_animated(app) || app_scene_time(app) == app->scene_time);
 }
 
 /* --- the view --------------------------------------------------------------------------------- */
@@ -198,6 +202,8 @@ void app_restart_view(App *app, double time) {
     window_reset_overrides(&app->window);
     window_set_layer(&app->window, LAYER_SHADED);
     app_reset_view(app);
+    edit_history_clear(&app->edits);
+    app->window.object_inspector = (ObjectInspector){0};
     ray_view_reset(&app->window.ray_view);
 }
 

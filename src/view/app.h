@@ -26,8 +26,11 @@
 #include "view/loading/scene_loader.h"
 #include "view/state/clocks.h"
 #include "view/state/command.h"
+#include "view/state/edit_history.h"
 #include "view/state/view_state.h"
 #include "view/window.h"
+
+#include <sys/stat.h>
 
 /** Longest status in the title, bytes with the final zero; a longer one is cut. */
 enum { STATUS_TEXT_SIZE = 256 };
@@ -49,6 +52,13 @@ typedef enum {
     EVENT_COUNT               /**< Number of events. */
 } AppEvent;
 
+/** When a file was written last. */
+typedef struct FileStamp {
+    struct timespec time; /**< When. */
+    off_t size;           /**< Its bytes. */
+    ino_t inode;          /**< Which file it was. */
+} FileStamp;
+
 /** Where the scene comes from, and the next one. */
 typedef struct SceneSource {
     char path[PATH_MAX];        /**< File of the scene on screen, or `-`. */
@@ -64,6 +74,9 @@ typedef struct SceneSource {
     char failed_path[PATH_MAX]; /**< Its file; empty: #path. */
     char next_path[PATH_MAX];   /**< File of the scene to load next; empty: none. */
     double next_load_time;      /**< Earliest time of the next request, seconds. */
+    FileStamp stamp;            /**< When the scene's file was written, as far as is known. */
+    uint64_t requested_revision; /**< #EditHistory.revision of the last request. */
+    uint64_t shown_revision;     /**< The same of the scene on screen, or of a faulty one. */
 } SceneSource;
 
 /** What keyboard and mouse are doing. */
@@ -77,6 +90,9 @@ typedef struct InputState {
     unsigned modifiers;      /**< SDL's modifiers at the last key event: in the order of events. */
     bool is_light_dragged;   /**< Whether the mouse drags a light. */
     size_t dragged_light;    /**< Index of that light. */
+    bool is_object_dragged;  /**< Whether the mouse drags the selected shape. */
+    Vec3d dragged_point;     /**< Where the mouse holds it, scene units. */
+    bool has_dragged;        /**< Whether light or shape have moved since the button went down. */
 } InputState;
 
 /** What a lesson does. */
@@ -149,6 +165,7 @@ typedef struct App {
     Timeline timeline;            /**< The scene's time. */
     ViewState home_view;          /**< Camera and lights as the scene file has them. */
     size_t selected_light;        /**< Index of the light that keys move. */
+    EditHistory edits;            /**< What the user has changed of its objects. */
     InputState input;             /**< Keyboard and mouse. */
     Player player;                /**< The lesson that plays. */
     Recorder recorder;            /**< The lesson that is recorded. */
@@ -198,7 +215,8 @@ double app_scene_time(const App *app);
 /** @return Whether the scene depends on time, and can be loaded for other times. */
 bool app_is_animated(const App *app);
 
-/** @return Whether the time is paused, and the scene on screen is of that time. */
+/** @return Whether the time is paused, and the scene on screen is of that time and has all changes
+ *  of its objects. */
 bool app_is_time_settled(const App *app);
 
 /* --- the view --------------------------------------------------------------------------------- */

@@ -11,6 +11,7 @@
 #include "view/app.h"
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/input/input.h"
 #include "view/input/signal_thread.h"
@@ -147,6 +148,7 @@ static void run_frame(App *app) {
         app_report_error(app, &error);
     }
     run_requested_command(app);
+    edits_handle_requests(app);
     player_handle_request(app);
     take_pending_snapshot(app);
     if (!player_capture(app, &error)) {
@@ -241,5 +243,6 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     signal_thread_stop(&signal_thread);
     SDL_Quit();
     view_state_deinit(&app.home_view);
+    edit_history_deinit(&app.edits);
     return status;
 }

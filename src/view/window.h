@@ -12,6 +12,7 @@
 #include "view/panels/lesson_panel.h"
 #include "view/panels/light_marks.h"
 #include "view/panels/magnifier.h"
+#include "view/panels/object_inspector.h"
 #include "view/panels/ray_view.h"
 #include "view/panels/settings_chart_panel.h"
 #include "view/panels/toolbar.h"
@@ -35,6 +36,8 @@ typedef struct WindowState {
     bool is_running;       /**< Whether its time runs. */
     bool is_recording;     /**< Whether a lesson is recorded. */
     bool is_playing;       /**< Whether a lesson plays. */
+    const EditHistory *edits;   /**< What the user has changed of its objects. */
+    const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;
 
 /** A message on the picture, shown for a while. Starts as `{0}`: none. */
@@ -67,6 +70,7 @@ typedef struct Window {
     int fitted_height;        /**< Height of bar and lesson panel that the window has
                                    room for, pixels. */
     LightMarks light_marks;   /**< The marks of the lights. */
+    ObjectInspector object_inspector; /**< The selected object. */
     Magnifier magnifier;      /**< Some pixels as squares. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
     Toast toast;              /**< The newest message. */
@@ -157,6 +161,10 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray);
 /** Finds how far a light moves while its mark is dragged. See #light_marks_drag_offset. */
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
+
+/** Finds how far a thing moves that is dragged at one of its points. See #picture_drag_offset. */
+bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
+                           Vec3d *offset);
 
 /** @return The height of the toolbar, pixels. */
 int window_toolbar_height(const Window *window);

@@ -413,6 +413,27 @@ static void show_help(Window *window, const GuiRect *area) {
     }
 }
 
+/** Shows the selected object's outline and inspector. */
+static void show_object_inspector(Window *window) {
+    const WindowState *state = &window->state;
+    ObjectInspector *inspector = &window->object_inspector;
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+    SceneObject object;
+    bool is_light = inspector->number > 0 && !scene_object_is_shape(inspector->keyword) &&
+                    scene_object_find(state->scene, inspector->keyword, inspector->number, &object);
+    if (!state->scene || window->ray_view.is_open) {
+        return;
+    }
+    object_inspector_outline(inspector, state->scene, &picture);
+    const ObjectInspectorContent content = {.scene = state->scene,
+                                            .history = state->edits,
+                                            .is_light_moved =
+                                                is_light && state->is_light_moved[object.index],
+                                            .is_read_only = state->is_playing,
+                                            .top = window->toolbar.height};
+    object_inspector_show(inspector, &content);
+}
+
 /** Shows list, formulas and numbers of the rays, if they are shown. */
 static void show_rays(Window *window) {
     bool is_covered = window->help.is_open || window->browser.is_open;
@@ -464,6 +485,7 @@ void window_show_widgets(Window *window) {
         browser_show(&window->browser, window->sdl.renderer, &area);
     } else {
         show_light_marks(window);
+        show_object_inspector(window);
         window_follow_mouse(window);
         window_show_values(window);
         window_show_readout(window);
@@ -510,4 +532,11 @@ bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPo
     SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     return window->state.scene && light_marks_drag_offset(window->state.scene, light, &picture,
                                                           from, to, is_along, offset);
+}
+
+bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
+                           Vec3d *offset) {
+    SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+    return window->state.scene &&
+           picture_drag_offset(&window->state.scene->camera, point, &picture, drag, offset);
 }

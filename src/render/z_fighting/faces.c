@@ -195,7 +195,7 @@ static void add_coincident(Search *search, const Polygon *overlap, const FacePai
     double share = pair->weight * fmax(direct, polygon_mirrored_share(search, overlap));
     search->result.coincident += share;
     if (share > search->largest_coincident) {
-        int first = pair->shapes[0]->line, second = pair->shapes[1]->line;
+        int first = pair->shapes[0]->origin.line, second = pair->shapes[1]->origin.line;
         search->largest_coincident = share;
         search->result.lines[0] = first < second ? first : second;
         search->result.lines[1] = first < second ? second : first;

@@ -12,6 +12,7 @@
 #include "base/language.h"
 #include "dioptre/scene.h"
 #include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/state/scene_text.h"
 
@@ -236,6 +237,32 @@ static void toggle_ray_kind(App *app, int kind) {
     ray_view_toggle_kind(&app->window.ray_view, (RayType)kind);
 }
 
+/* --- objects ---------------------------------------------------------------------------------- */
+
+/** Takes the last change of an object back. */
+static void undo(App *app, int argument) {
+    (void)argument;
+    edits_undo(app);
+}
+
+/** Does the change again that was taken back. */
+static void redo(App *app, int argument) {
+    (void)argument;
+    edits_redo(app);
+}
+
+/** Copies the selected object as text. */
+static void copy_object(App *app, int argument) {
+    (void)argument;
+    edits_copy(app);
+}
+
+/** Writes the selected object into the scene file. */
+static void write_object(App *app, int argument) {
+    (void)argument;
+    edits_write(app);
+}
+
 /* --- the program ------------------------------------------------------------------------------ */
 
 /** Requests a snapshot. It is taken when the picture is finished, so the time is paused. */
@@ -354,7 +381,7 @@ static void issue(App *app, const char *name) {
     command_issue(app, command_find(app->commands, name), clock_now_seconds());
 }
 
-/** Closes what lies topmost: help, a lesson's end card, rays, two pictures, a layer, the full screen; at last the
+/** Closes what lies topmost: help, a lesson's end card, rays, inspector, two pictures, a layer, the full screen; at last the
  *  program. What a lesson shows stays. */
 static void leave(App *app, int argument) {
     (void)argument;
@@ -372,6 +399,8 @@ static void leave(App *app, int argument) {
         issue(app, "rays");
     } else if (is_own && window->settings_chart.is_open) {
         issue(app, "chart");
+    } else if (is_own && window->object_inspector.number > 0) {
+        edits_close(app);
     } else if (is_own && window->magnifier.is_on) {
         issue(app, "magnifier");
     } else if (is_own && window->split.mode != SPLIT_NONE) {
@@ -411,6 +440,8 @@ static void leave(App *app, int argument) {
 #define TIME .group = N_("Time")
 /** Heading of the help: what is shown, and how it is rendered. */
 #define PICTURE .group = N_("Picture")
+/** Heading of the help: what is changed of shapes and lights. */
+#define OBJECTS .group = N_("Objects")
 /** Heading of the help: keys of the ray tree. */
 #define RAYS .group = N_("Rays of one pixel")
 /** Heading of the help: all other keys. */
@@ -495,6 +526,13 @@ const Command command_table[] = {
     {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("side by side, difference; which side"), RUNS(swap_side, 0)},
     {"bar left", {KEY(F6)}, N_("bar ←"), PICTURE, .help = N_("bar left, right; or the mouse"), .flags = COMMAND_REPEATS, RUNS(move_bar, -1)},
     {"bar right", {KEY(F7)}, N_("bar →"), PICTURE, .help = N_("bar left, right; or the mouse"), .flags = COMMAND_REPEATS, RUNS(move_bar, 1)},
+
+    {NULL, {NO_KEY(N_("Click"))}, NULL, OBJECTS, .help = N_("select: sliders for all of it")},
+    {"undo", {KEY(z)}, NULL, OBJECTS, .help = N_("Ctrl: take a change back (Shift: again)"), .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(undo, 0)},
+    {"redo", {KEY(y)}, .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(redo, 0)},
+    {"undo back", {KEY(z)}, .flags = COMMAND_CTRL | COMMAND_SHIFT | COMMAND_REPEATS, RUNS(redo, 0)},
+    {"copy object", {KEY(c)}, NULL, OBJECTS, .help = N_("Ctrl: its text, to paste; into the file"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(copy_object, 0)},
+    {"write object", {KEY(s)}, NULL, OBJECTS, .help = N_("Ctrl: its text, to paste; into the file"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(write_object, 0)},
 
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("show them, or the picture again"), RUNS(toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("of that pixel")},

@@ -16,10 +16,31 @@
 /** Minimum seconds from one request to the next: a frame of a 60 Hz screen. */
 static const double REQUEST_INTERVAL = 0.016;
 
+/** @return When the scene's file was written; zero: it has none. */
+static FileStamp file_stamp(const App *app) {
+    struct stat info;
+    if (strcmp(app->source.path, "-") == 0 || stat(app->source.path, &info) != 0) {
+        return (FileStamp){0};
+    }
+    return (FileStamp){info.st_mtim, info.st_size, info.st_ino};
+}
+
+bool current_scene_file_changed(const App *app) {
+    FileStamp now = file_stamp(app), known = app->source.stamp;
+    return now.time.tv_sec != known.time.tv_sec || now.time.tv_nsec != known.time.tv_nsec ||
+           now.size != known.size || now.inode != known.inode;
+}
+
+void current_scene_file_written(App *app) {
+    app->source.stamp = file_stamp(app);
+    current_scene_reload(app);
+}
+
 /** Sets the scene's file, name and watch. */
 static void set_path(App *app, const char *path) {
     scene_name_from_path(path, app->source.name, sizeof app->source.name);
     SDL_strlcpy(app->source.path, path, sizeof app->source.path);
+    app->source.stamp = file_stamp(app);
     if (app->settings->load && strcmp(path, "-") != 0) {
         file_watcher_watch(&app->source.watcher, path);
     }
@@ -32,6 +53,15 @@ void current_scene_begin(App *app) {
 
 void current_scene_reload(App *app) {
     app->source.is_file_changed = true;
+}
+
+void current_scene_on_file_event(App *app) {
+    if (current_scene_file_changed(app)) {
+        // What the author writes counts, not what was tried in the window before.
+        app->source.stamp = file_stamp(app);
+        edit_history_clear(&app->edits);
+    }
+    current_scene_reload(app);
 }
 
 void current_scene_open(App *app, const char *path) {
@@ -114,8 +144,12 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     app_sync_window(app);
     if (load->path[0] != '\0') {
         set_path(app, load->lesson ? load->lesson->scene : load->path);
+        edit_history_clear(&app->edits);
+        app->source.requested_revision = app->edits.revision;
+        app->window.object_inspector = (ObjectInspector){0};
         app->timeline = (Timeline){.time = load->time};
     }
+    app->source.shown_revision = app->source.requested_revision;
     if (load->lesson) {
         lesson_destroy(app->source.lesson);
         app->source.lesson = load->lesson;
@@ -137,6 +171,7 @@ static bool accept_loaded_scene(App *app, Error *error) {
         return true;
     }
     bool is_complete = scene_load_is_complete(&load);
+    app->source.shown_revision = app->source.requested_revision;
     if (is_complete && replace_scene(app, &load, error)) {
         return true;
     }
@@ -154,15 +189,21 @@ static bool accept_loaded_scene(App *app, Error *error) {
 /** @return Whether a scene other than the one on screen is wanted. */
 static bool is_load_wanted(const App *app) {
     bool is_time_changed = app_is_animated(app) && app_scene_time(app) != app->scene_time;
-    return is_time_changed || app->source.is_file_changed || app->source.next_path[0] != '\0';
+    bool is_edited = app->settings->load && app->source.requested_revision != app->edits.revision;
+    return is_edited || is_time_changed || app->source.is_file_changed ||
+           app->source.next_path[0] != '\0';
 }
 
 /** Requests the scene that is wanted. @return false if the loader's thread cannot start. */
 static bool request_scene(App *app, double now, Error *error) {
     bool is_other = app->source.next_path[0] != '\0';
+    SceneOverride overrides[SCENE_OVERRIDES_MAXIMUM];
+    size_t override_count = is_other ? 0 : edit_history_overrides(&app->edits, overrides);
     ViewRequest request = {.path = is_other ? app->source.next_path : NULL,
                            .time = is_other ? 0 : app_scene_time(app),
-                           .force_reload = app->source.is_file_changed};
+                           .force_reload = app->source.is_file_changed,
+                           .overrides = overrides,
+                           .override_count = override_count};
     SceneLoadViewport viewports[SCENE_LOAD_VIEWPORTS] = {0};
     for (size_t i = 0; i < window_viewport_count(&app->window); i++) {
         Viewport *viewport = &app->window.viewports[i];
@@ -172,6 +213,7 @@ static bool request_scene(App *app, double now, Error *error) {
     }
     bool is_requested = scene_loader_request(&app->source.loader, &request, viewports, error);
     app->source.next_load_time = now + REQUEST_INTERVAL;
+    app->source.requested_revision = app->edits.revision;
     app->source.is_file_changed = false;
     app->source.next_path[0] = '\0';
     if (!is_requested) {

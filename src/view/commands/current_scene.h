@@ -13,6 +13,16 @@ void current_scene_begin(App *app);
 /** Reloads the scene's file after it was written; moved objects keep their positions. */
 void current_scene_reload(App *app);
 
+/** Reloads the scene after a file of its folder was written; if it was the scene's own, changes of
+ *  its objects are taken back. */
+void current_scene_on_file_event(App *app);
+
+/** @return Whether the scene's file was written since the scene was loaded. */
+bool current_scene_file_changed(const App *app);
+
+/** Notes that this program has written the scene's file, and reloads it. */
+void current_scene_file_written(App *app);
+
 /** Loads another scene, or a lesson with its scene. */
 void current_scene_open(App *app, const char *path);
 

@@ -436,6 +436,60 @@ int gui_answers(const GuiAnswers *answers);
  *  much of it is full, 0 to 1. */
 void gui_progress_bar(GuiPoint corner, float width, float fraction);
 
+/* --- the inspector of objects ----------------------------------------------------------------- */
+
+/**
+ * Begins a panel at the right edge of the window, which can be moved and closed. Its widgets
+ * follow, then #gui_inspector_end.
+ * @param id     Unique to it; not shown.
+ * @param top    Upper edge at first, pixels of the window.
+ * @return false if the user closes it.
+ */
+bool gui_inspector_begin(const char *id, const char *title, float top);
+
+/** Ends the panel. */
+void gui_inspector_end(void);
+
+/** Begins a part of a panel, which can be folded. @return Whether it is open. */
+bool gui_inspector_section(const char *label, bool is_open_at_first);
+
+/** Writes lines of text into a panel. */
+void gui_inspector_text(const char *text);
+
+/** A button in a panel. @return Whether it was clicked. */
+bool gui_inspector_button(const char *label, const char *tooltip);
+
+/**
+ * Numbers that are dragged with the mouse, or typed after a click with Ctrl.
+ * @param[in,out] numbers  The numbers.
+ * @param speed            How much a pixel of the drag changes them.
+ * @return Whether the user has changed them.
+ */
+bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,
+                      double speed, const char *tooltip);
+
+/** A slider from one number to another. @return Whether the user has changed it. */
+bool gui_edit_slider(const char *label, double *number, double low, double high,
+                     const char *tooltip);
+
+/** A colour: its brightness, which is its largest channel, and a picker. @param[in,out] rgb Linear
+ *  light. @param high Largest value of a channel. @return Whether the user has changed it. */
+bool gui_edit_color(const char *label, double rgb[3], double high, const char *tooltip);
+
+/** A check box. @return Whether the user has changed it. */
+bool gui_edit_check(const char *label, double *number, const char *tooltip);
+
+/** A list of words, of which one is chosen. @param[in,out] number Its index. @param words Ended by
+ *  NULL. @return Whether the user has changed it. */
+bool gui_edit_choice(const char *label, double *number, const char *const *words,
+                     const char *tooltip);
+
+/** @return Whether the user holds a widget, or types into one. */
+bool gui_is_editing(void);
+
+/** Draws a line on the picture: a part of the outline of what is selected. */
+void gui_outline_line(GuiPoint from, GuiPoint to);
+
 #ifdef __cplusplus
 }
 #endif

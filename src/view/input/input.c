@@ -6,6 +6,7 @@
 
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/lesson/player.h"
 
@@ -136,15 +137,17 @@ static int mouse_window_width(const App *app) {
     return SDL_max(1, width);
 }
 
-/** Chooses the ray at a position while rays are shown, or shows the rays of the pixel there: in the
- *  picture, or in the inset.
- *  @param x Screen units. */
-static void pick_at(App *app, int x, int y) {
+/** Handles a click: it selects what is there. While rays are shown it chooses the ray there, or
+ *  shows the rays of the pixel there, in the picture or in the inset. @param x Screen units. */
+static void click_at(App *app, int x, int y) {
     double right, down;
     size_t ray;
+    bool is_inside = window_picture_position(&app->window, x, y, &right, &down);
     if (window_ray_at(&app->window, x, y, &ray)) {
         command_choose_ray(app, ray);
-    } else if (window_picture_position(&app->window, x, y, &right, &down)) {
+    } else if (is_inside && !app->window.ray_view.is_open) {
+        edits_click(app, right, down);
+    } else if (is_inside) {
         recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
         app_pick_pixel(app, right, down);
     }
@@ -168,6 +171,14 @@ static bool grab_at(App *app, int x, int y) {
         app->selected_light = mark->light;
         return true;
     }
+    double right, down;
+    bool is_picture =
+        !app->window.ray_view.is_open && window_picture_position(&app->window, x, y, &right, &down);
+    input->is_object_dragged = is_picture && !window_is_at_bar(&app->window, right) &&
+                               edits_grab(app, right, down, &input->dragged_point);
+    if (input->is_object_dragged) {
+        return true;
+    }
     app->window.split.is_dragged =
         !app->window.ray_view.is_open && window_is_at_bar(&app->window, picture_fraction(app, x));
     return app->window.split.is_dragged;
@@ -181,11 +192,18 @@ static void on_button(App *app, const SDL_MouseButtonEvent *button) {
         return;
     }
     if (!is_down && input->is_click_candidate) {
-        pick_at(app, input->click_x, input->click_y);
+        click_at(app, input->click_x, input->click_y);
+    }
+    if (!is_down && input->is_light_dragged && !input->has_dragged) {
+        edits_click_light(app, input->dragged_light);
     }
     // A lesson restores camera and lights when it resumes, but neither bar nor rays.
     bool is_accepted = is_down && !app_is_playing(app);
-    app->window.split.is_dragged = input->is_light_dragged = false;
+    if (!is_down && input->is_object_dragged && !input->has_dragged) {
+        click_at(app, button->x, button->y);
+    }
+    app->window.split.is_dragged = input->is_light_dragged = input->is_object_dragged =
+        input->has_dragged = false;
     input->is_click_candidate = is_accepted && !grab_at(app, button->x, button->y);
     input->click_x = button->x;
     input->click_y = button->y;
@@ -206,6 +224,21 @@ static void drag_bar(App *app, double fraction) {
     window_move_bar(&app->window, fraction);
 }
 
+/** Drags the selected shape in the plane that faces the camera; with Shift, along the direction of
+ *  view. */
+static void drag_object(App *app, const SDL_MouseMotionEvent *mouse) {
+    InputState *input = &app->input;
+    const PictureDrag drag = {{(float)(mouse->x - mouse->xrel), (float)(mouse->y - mouse->yrel)},
+                              {(float)mouse->x, (float)mouse->y},
+                              input->modifiers & KMOD_SHIFT};
+    Vec3d offset;
+    if (window_drag_offset_at(&app->window, input->dragged_point, &drag, &offset)) {
+        edits_drag(app, offset, input->has_dragged);
+        input->dragged_point = vec3d_add(input->dragged_point, offset);
+        input->has_dragged = true;
+    }
+}
+
 /** Drags a light in the plane that faces the camera; with Shift, along the direction of view. */
 static void drag_light(App *app, const SDL_MouseMotionEvent *mouse) {
     size_t light = app->input.dragged_light;
@@ -217,6 +250,7 @@ static void drag_light(App *app, const SDL_MouseMotionEvent *mouse) {
         recorder_on_step(app, "drag(%zu, %.17g, %.17g, %.17g)", light + 1, offset.x, offset.y,
                          offset.z);
         app_drag_light(app, light, offset);
+        app->input.has_dragged = true;
     }
 }
 
@@ -227,6 +261,8 @@ static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
     int width = mouse_window_width(app);
     if (app->input.is_light_dragged) {
         drag_light(app, mouse);
+    } else if (app->input.is_object_dragged) {
+        drag_object(app, mouse);
     } else if (app->window.split.is_dragged) {
         drag_bar(app, picture_fraction(app, mouse->x));
     } else if (!(mouse->state & SDL_BUTTON_LMASK) || is_click_candidate(&app->input, mouse)) {
@@ -342,7 +378,7 @@ static void on_app_event(App *app, const SDL_Event *event) {
     if (type == app->first_event + EVENT_PASS_FINISHED) {
         window_on_pass(&app->window, event);
     } else if (type == app->first_event + EVENT_FILE_CHANGED) {
-        current_scene_reload(app);
+        current_scene_on_file_event(app);
     } else if (type == app->first_event + EVENT_SCENE_LIST_CHANGED) {
         on_scene_list_changed(app);
     } else if (type == app->first_event + EVENT_SIGNAL) {

@@ -9,6 +9,7 @@
 #include "base/scene_name.h"
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
 #include "view/lesson/answer_file.h"
 
 #include <libintl.h>
@@ -320,6 +321,20 @@ static void do_step(App *app, const LessonStep *step) {
         break;
     case LESSON_DRAG:
         app_drag_light(app, (size_t)step->action, (Vec3d){step->x, step->y, step->z});
+        break;
+    case LESSON_SELECT:
+        edits_select(app, step->keyword, step->action,
+                     step->x >= 0 ? &(Uvd){step->x, step->y} : NULL);
+        break;
+    case LESSON_SET:
+        edits_set(
+            app,
+            &(SceneOverride){step->keyword, step->action, step->row, {step->x, step->y, step->z}},
+            step->continues);
+        break;
+    case LESSON_MOVE:
+        edits_move(app, step->keyword, step->action, (Vec3d){step->x, step->y, step->z},
+                   step->continues);
         break;
     case LESSON_CAPTION:
     case LESSON_ASK:

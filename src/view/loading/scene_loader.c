@@ -37,14 +37,17 @@ static void create_viewport_renderer(SceneLoad *load, SceneLoadViewport *viewpor
                                                  &viewport->settings, &load->error);
 }
 
-/** Loads a scene and creates its renderers. @param stop It is given up once this is true.
+/** Loads a scene and creates its renderers. The overrides stay as long as there is no result.
  * @param[in,out] load The request, then the result. */
-static void load_scene(const ViewSettings *settings, const atomic_bool *stop, SceneLoad *load) {
+static void load_scene(SceneLoader *loader, SceneLoad *load) {
+    const ViewSettings *settings = loader->settings;
     const ViewRequest request = {.path = load->path[0] ? load->path : NULL,
                                  .time = load->time,
-                                 .force_reload = load->force_reload};
-    load->scene = settings->load(settings->loader_context, &request, stop, &load->base_settings,
-                                 &load->lesson, &load->error);
+                                 .force_reload = load->force_reload,
+                                 .overrides = loader->overrides,
+                                 .override_count = loader->override_count};
+    load->scene = settings->load(settings->loader_context, &request, &loader->should_stop,
+                                 &load->base_settings, &load->lesson, &load->error);
     load->time = load->lesson ? load->lesson->initial_settings.time : load->time;
     for (size_t i = 0; load->scene && i < SCENE_LOAD_VIEWPORTS; i++) {
         if (load->viewports[i].reuse_from) {
@@ -64,7 +67,7 @@ static void *scene_loader_main(void *context) {
         }
         SceneLoad load = loader->load;
         pthread_mutex_unlock(&loader->mutex);
-        load_scene(loader->settings, &loader->should_stop, &load);
+        load_scene(loader, &load);
         pthread_mutex_lock(&loader->mutex);
         loader->load = load;
         loader->has_request = false;
@@ -101,6 +104,11 @@ bool scene_loader_request(SceneLoader *loader, const ViewRequest *request,
     *load = (SceneLoad){.time = request->time, .force_reload = request->force_reload};
     SDL_strlcpy(load->path, request->path ? request->path : "", sizeof load->path);
     memcpy(load->viewports, viewports, sizeof load->viewports);
+    loader->override_count = request->override_count;
+    if (request->override_count > 0) {
+        memcpy(loader->overrides, request->overrides,
+               request->override_count * sizeof *request->overrides);
+    }
     loader->has_request = true;
     pthread_cond_signal(&loader->condition);
     pthread_mutex_unlock(&loader->mutex);

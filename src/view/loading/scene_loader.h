@@ -47,7 +47,9 @@ typedef struct SceneLoader {
     bool has_request;             /**< Whether there is a request without a result. */
     bool has_result;              /**< Whether there is a result that was not taken. */
     SceneLoad load;               /**< The request, then its result. */
-    atomic_bool should_stop;      /**< Whether the thread should end. */
+    SceneOverride overrides[SCENE_OVERRIDES_MAXIMUM]; /**< Overrides of the request. */
+    size_t override_count;                            /**< Their number. */
+    atomic_bool should_stop;                          /**< Whether the thread should end. */
 } SceneLoader;
 
 /**

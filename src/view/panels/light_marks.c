@@ -107,21 +107,25 @@ const LightMark *light_marks_at(const LightMarks *marks, GuiPoint point, float r
     return NULL;
 }
 
-bool light_marks_drag_offset(const Scene *scene, size_t light, const SDL_Rect *picture,
-                             GuiPoint from, GuiPoint to, bool is_along, Vec3d *offset) {
-    const SceneCamera *camera = &scene->camera;
-    Vec3d center;
-    if (light >= scene->light_count || !scene_light_center(&scene->lights[light], &center)) {
-        return false;
-    }
-    double ahead = to_camera(camera, center).ahead;
+bool picture_drag_offset(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
+                         const PictureDrag *drag, Vec3d *offset) {
+    double ahead = to_camera(camera, point).ahead;
     double scale = units_per_pixel(camera, picture, ahead);
     if (!(ahead > NEAR_FRACTION * camera->target_distance)) {
         return false;
     }
-    Vec3d right = vec3d_scale(scene_camera_right(camera), (double)(to.x - from.x) * scale);
-    double up = (double)(from.y - to.y) * scale;
-    *offset = is_along ? vec3d_scale(camera->direction, up)
-                       : vec3d_add(right, vec3d_scale(camera->up, up));
+    Vec3d right =
+        vec3d_scale(scene_camera_right(camera), (double)(drag->to.x - drag->from.x) * scale);
+    double up = (double)(drag->from.y - drag->to.y) * scale;
+    *offset = drag->is_along ? vec3d_scale(camera->direction, up)
+                             : vec3d_add(right, vec3d_scale(camera->up, up));
     return true;
+}
+
+bool light_marks_drag_offset(const Scene *scene, size_t light, const SDL_Rect *picture,
+                             GuiPoint from, GuiPoint to, bool is_along, Vec3d *offset) {
+    Vec3d center;
+    return light < scene->light_count && scene_light_center(&scene->lights[light], &center) &&
+           picture_drag_offset(&scene->camera, center, picture, &(PictureDrag){from, to, is_along},
+                               offset);
 }

@@ -16,7 +16,7 @@
 static int number_on_line(const Scene *scene, int shape) {
     int before = 0, all = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        bool is_there = scene->shapes[i].line == scene->shapes[shape].line;
+        bool is_there = scene->shapes[i].origin.line == scene->shapes[shape].origin.line;
         all += is_there;
         before += is_there && i <= (size_t)shape;
     }
@@ -26,13 +26,13 @@ static int number_on_line(const Scene *scene, int shape) {
 void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]) {
     const SceneShape *found = &scene->shapes[shape];
     const char *keyword = scene_shape_keywords[found->class_index]->name;
-    int number = found->line > 0 ? number_on_line(scene, shape) : 0;
+    int number = found->origin.line > 0 ? number_on_line(scene, shape) : 0;
     if (number > 0) {
         // A function of the scene file has made several.
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword, found->line,
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword, found->origin.line,
                  number);
-    } else if (found->line > 0) {
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d"), keyword, found->line);
+    } else if (found->origin.line > 0) {
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d"), keyword, found->origin.line);
     } else {
         snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, number %d"), keyword, shape + 1);
     }

@@ -59,6 +59,15 @@ void ray_view_pick(RayView *ray_view, double x, double y) {
     set_pixel(ray_view, x, y);
 }
 
+void ray_view_aim(RayView *ray_view, double x, double y) {
+    if (!ray_view->is_open) {
+        ray_view->x = x;
+        ray_view->y = y;
+        ray_view->has_pixel = true;
+        ray_view->has_orbit = false;
+    }
+}
+
 void ray_view_step_pixel(RayView *ray_view, int x, int y) {
     if (ray_view->width > 0) {
         int column = (int)(ray_view->x * ray_view->width) + x;

@@ -80,6 +80,10 @@ void ray_view_reset(RayView *ray_view);
  * @param y Fraction of its height, from the top. */
 void ray_view_pick(RayView *ray_view, double x, double y);
 
+/** Chooses the pixel whose rays #ray_view_toggle will show. @param x Fraction of the picture's
+ *  width. @param y Fraction of its height. */
+void ray_view_aim(RayView *ray_view, double x, double y);
+
 /** Goes to a pixel nearby, with the same view. @param x Pixels to the right. @param y Pixels down.
  */
 void ray_view_step_pixel(RayView *ray_view, int x, int y);

@@ -34,11 +34,15 @@ static bool has_key(const Command *row, SDL_Keysym key, bool by_letter) {
 
 const Command *command_find_key(const Command *table, SDL_Keysym key, bool by_letter) {
     const Command *found = NULL;
-    bool is_shifted = key.mod & KMOD_SHIFT;
+    unsigned held = (key.mod & KMOD_SHIFT ? COMMAND_SHIFT : 0u) |
+                    (key.mod & KMOD_CTRL ? COMMAND_CTRL : 0u);
+    unsigned found_modifiers = 0;
     for (const Command *row = table; command_is_row(row); row++) {
-        bool needs_shift = row->flags & COMMAND_SHIFT;
-        if ((needs_shift ? is_shifted : !found) && has_key(row, key, by_letter)) {
+        unsigned modifiers = row->flags & (COMMAND_SHIFT | COMMAND_CTRL);
+        bool is_held = (modifiers & held) == modifiers;
+        if (is_held && (!found || modifiers > found_modifiers) && has_key(row, key, by_letter)) {
             found = row;
+            found_modifiers = modifiers;
         }
     }
     return found;

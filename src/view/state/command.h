@@ -23,6 +23,7 @@ typedef enum {
     COMMAND_UNRECORDED = 4,    /**< A lesson does not record it. */
     COMMAND_WHILE_PLAYING = 8, /**< The viewer may run it while a lesson plays. */
     COMMAND_WHILE_PAUSED = 16, /**< The viewer may run it while a lesson is paused. */
+    COMMAND_CTRL = 32,         /**< Its key counts with Ctrl only. */
 } CommandFlags;
 
 /** One key of a command. */

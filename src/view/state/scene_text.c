@@ -27,34 +27,20 @@ static void print_list(const double *values, int count, FILE *file) {
     fputc('}', file);
 }
 
-/** Prints the value of a field. */
-static void print_value(const Parameter *row, const void *value, FILE *file) {
+void scene_text_print_value(const Parameter *row, const double *numbers, FILE *file) {
     switch (row->type) {
-    case PARAMETER_NUMBER:
-        print_number(*(const double *)value, file);
-        break;
-    case PARAMETER_INTEGER:
-        fprintf(file, "%d", *(const int *)value);
-        break;
     case PARAMETER_BOOLEAN:
-        fputs(*(const bool *)value ? "true" : "false", file);
+        fputs(numbers[0] != 0 ? "true" : "false", file);
         break;
     case PARAMETER_CHOICE:
-        fprintf(file, "\"%s\"", row->choices[*(const int *)value]);
+        fprintf(file, "\"%s\"", row->choices[(int)numbers[0]]);
         break;
-    case PARAMETER_POINT:
-    case PARAMETER_VECTOR:
-    case PARAMETER_DIRECTION:
-    case PARAMETER_SCALE:
-    case PARAMETER_COLOR:
-        print_list(value, 3, file);
+    case PARAMETER_NUMBER:
+    case PARAMETER_INTEGER:
+        print_number(numbers[0], file);
         break;
-    case PARAMETER_UV:
-        print_list(value, 2, file);
-        break;
-    case PARAMETER_MESH: // Neither camera nor lights have such fields.
-    case PARAMETER_SDF:
-    case PARAMETER_TEXTURE:
+    default:
+        print_list(numbers, parameter_number_count(row->type), file);
         break;
     }
 }
@@ -74,9 +60,12 @@ static void print_keyword(const Keyword *keyword, const void *values, const char
     const char *separator = " { ";
     fputs(keyword->name, file);
     for (const Parameter *row = keyword->parameters; row->name; row++) {
-        if (!is_skipped(row->name, skipped)) {
+        // Neither camera nor lights have files or fields.
+        if (!is_skipped(row->name, skipped) && parameter_number_count(row->type) > 0) {
+            double numbers[PARAMETER_NUMBERS_MAXIMUM];
             fprintf(file, "%s%s = ", separator, row->name);
-            print_value(row, (const char *)values + row->offset, file);
+            parameter_get_numbers(row, values, numbers);
+            scene_text_print_value(row, numbers, file);
             separator = ", ";
         }
     }
@@ -104,4 +93,102 @@ char *scene_text_create(const Scene *scene) {
         fclose(stream);
     }
     return text;
+}
+
+/* --- objects ---------------------------------------------------------------------------------- */
+
+/** An object that is printed. */
+typedef struct ObjectText {
+    const Scene *scene;    /**< Its scene. */
+    FILE *file;            /**< Where to. */
+    const char *separator; /**< Text before the next field. */
+    bool is_complete;      /**< Whether all fields could be printed. */
+} ObjectText;
+
+/** Prints the name of a field. */
+static void print_name(ObjectText *text, const char *name) {
+    fprintf(text->file, "%s%s = ", text->separator, name);
+    text->separator = ", ";
+}
+
+/** Prints a file's name in quotes. */
+static void print_file(ObjectText *text, const char *field, const char *name) {
+    print_name(text, field);
+    fputc('"', text->file);
+    for (; *name; name++) {
+        if (strchr("\"\\", *name)) {
+            fputc('\\', text->file);
+        }
+        fputc(*name, text->file);
+    }
+    fputc('"', text->file);
+}
+
+/** Prints a field that is no number. */
+static void print_reference(ObjectText *text, const Parameter *row, const void *values) {
+    size_t index;
+    if (row->type == PARAMETER_SDF) {
+        text->is_complete = false;
+        return;
+    }
+    memcpy(&index, (const char *)values + row->offset, sizeof index);
+    if (row->type == PARAMETER_MESH) {
+        print_file(text, row->name, text->scene->meshes[index].file.name);
+    } else if (index > 0) {
+        print_file(text, row->name, text->scene->textures[index - 1].file.name);
+    }
+}
+
+/** Prints the fields of a keyword that differ from its defaults. */
+static void print_fields(ObjectText *text, const Keyword *keyword, const void *values) {
+    for (const Parameter *row = keyword->parameters; row->name; row++) {
+        double numbers[PARAMETER_NUMBERS_MAXIMUM] = {0}, defaults[PARAMETER_NUMBERS_MAXIMUM] = {0};
+        if (parameter_number_count(row->type) == 0) {
+            print_reference(text, row, values);
+            continue;
+        }
+        parameter_get_numbers(row, values, numbers);
+        parameter_get_numbers(row, keyword->defaults, defaults);
+        if (memcmp(numbers, defaults, sizeof numbers) != 0) {
+            print_name(text, row->name);
+            scene_text_print_value(row, numbers, text->file);
+        }
+    }
+}
+
+/** Prints the call that makes an object. */
+static void print_object(ObjectText *text, const SceneObject *object) {
+    const Keyword *keyword = scene_object_keyword(object->keyword);
+    fputs(keyword->name, text->file);
+    text->separator = " { ";
+    print_fields(text, keyword, object->values);
+    if (scene_object_is_shape(object->keyword)) {
+        size_t material = text->scene->shapes[object->index].material_index;
+        if (object->transform) {
+            print_fields(text, &transform_keyword, object->transform);
+        }
+        if (material > 0) {
+            SceneObject own = scene_object_of_material(text->scene, material);
+            print_name(text, scene_material_keyword.name);
+            print_object(text, &own);
+            text->separator = ", ";
+        }
+    }
+    fputs(strcmp(text->separator, " { ") == 0 ? " {}" : " }", text->file);
+}
+
+char *scene_text_of_object(const Scene *scene, const SceneObject *object) {
+    char *buffer = NULL;
+    size_t size = 0;
+    ObjectText text = {.scene = scene, .is_complete = true};
+    text.file = open_memstream(&buffer, &size);
+    if (text.file) {
+        print_object(&text, object);
+        fclose(text.file);
+    }
+    if (!text.is_complete) {
+        free(buffer);
+        buffer = NULL;
+    }
+    return buffer;
 }

@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_VIEW_STATE_SCENE_TEXT_H
 #define DIOPTRE_VIEW_STATE_SCENE_TEXT_H
 
-#include "dioptre/scene.h"
+#include "dioptre/scene_override.h"
 
 #include <stdio.h>
 
@@ -13,7 +13,19 @@
  * have all digits: read again they are equal. */
 void scene_text_print(const Scene *scene, FILE *file);
 
-/** @return The same text, owned by the caller; NULL without memory. */
+/** Prints the value of a field, such as `{1, 0.5, 0}` or `"none"`. @param numbers See
+ *  #parameter_get_numbers. */
+void scene_text_print_value(const Parameter *row, const double *numbers, FILE *file);
+
+/** @return The text of #scene_text_print, owned by the caller; NULL without memory. */
 char *scene_text_create(const Scene *scene);
+
+/**
+ * Writes an object as the call that makes it, with its material; fields with their defaults are
+ * left out.
+ * @return The text, to be freed with `free`; NULL without memory, or for a distance field, which is
+ *         no value but a program.
+ */
+char *scene_text_of_object(const Scene *scene, const SceneObject *object);
 
 #endif

@@ -1,0 +1,512 @@
+/**
+ * @file
+ * @brief Selecting and changing objects.
+ */
+#include "view/commands/edits.h"
+
+#include "base/atomic_file.h"
+#include "base/data_dir.h"
+#include "base/language.h"
+#include "base/regular_file.h"
+#include "view/commands/commands.h"
+#include "view/commands/current_scene.h"
+#include "view/commands/recorder.h"
+#include "view/state/scene_text.h"
+#include "view/state/source_edit.h"
+
+#include <libintl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/** Largest scene file that is written, bytes. */
+static const off_t FILE_MAXIMUM = (off_t)16 << 20;
+
+/** @return Whether an object is a light. */
+static bool is_light(const SceneObject *object) {
+    return !scene_object_is_shape(object->keyword) &&
+           scene_object_keyword(object->keyword) != &scene_material_keyword;
+}
+
+/* --- selecting -------------------------------------------------------------------------------- */
+
+void edits_select(App *app, int keyword, int number, const Uvd *pixel) {
+    ObjectInspector *inspector = &app->window.object_inspector;
+    SceneObject object;
+    bool is_known = number > 0 && scene_object_find(app->scene, keyword, number, &object);
+    *inspector = (ObjectInspector){
+        .keyword = keyword, .number = is_known ? number : 0, .has_pixel = is_known && pixel};
+    if (is_known && is_light(&object)) {
+        app->selected_light = object.index;
+    }
+    if (is_known && pixel) {
+        ray_view_aim(&app->window.ray_view, pixel->u, pixel->v);
+    }
+    window_present(&app->window);
+}
+
+/** Selects an object for the user. @param object The object; NULL: none. @param pixel Where it was
+ *  clicked, fractions of the picture; NULL: not in the picture. */
+static void select_object(App *app, const SceneObject *object, const Uvd *pixel) {
+    if (object && object->origin->number == 0) {
+        app_set_status(app, "no call of the scene file made this: it cannot be changed here");
+        object = NULL;
+    }
+    if (!object) {
+        if (app->window.object_inspector.number > 0) {
+            recorder_on_step(app, "select()");
+        }
+        edits_select(app, 0, 0, NULL);
+        return;
+    }
+    const char *keyword = scene_object_keyword(object->keyword)->name;
+    int number = object->origin->number;
+    if (pixel) {
+        recorder_on_step(app, "select(\"%s\", %d, %.17g, %.17g)", keyword, number, pixel->u,
+                         pixel->v);
+    } else {
+        recorder_on_step(app, "select(\"%s\", %d)", keyword, number);
+    }
+    edits_select(app, object->keyword, number, pixel);
+}
+
+/** Finds what a pixel shows. @param[out] point Where it is, scene units. @return false if it shows
+ *  nothing. */
+static bool find_object_at(App *app, double x, double y, SceneObject *object, Vec3d *point) {
+    const Viewport *viewport = window_active_viewport(&app->window);
+    RayTree tree = {0};
+    Error error = {0};
+    bool is_found = renderer_record_ray_tree(viewport->renderer, (int)(x * viewport->width),
+                                             (int)(y * viewport->height), &tree, &error) &&
+                    tree.count > 0;
+    int shape = is_found ? tree.nodes[0].shape : -1, light = is_found ? tree.nodes[0].light : -1;
+    *point = is_found ? tree.nodes[0].point : (Vec3d){0};
+    ray_tree_deinit(&tree);
+    if (shape >= 0 && (size_t)shape < app->scene->shape_count) {
+        *object = scene_object_of_shape(app->scene, (size_t)shape);
+        return true;
+    }
+    if (light >= 0 && (size_t)light < app->scene->light_count) {
+        *object = scene_object_of_light(app->scene, (size_t)light);
+        return true;
+    }
+    return false;
+}
+
+void edits_click(App *app, double x, double y) {
+    SceneObject object;
+    Vec3d point;
+    const Uvd pixel = {x, y};
+    bool is_found = find_object_at(app, x, y, &object, &point);
+    select_object(app, is_found ? &object : NULL, &pixel);
+}
+
+void edits_click_light(App *app, size_t light) {
+    SceneObject object = scene_object_of_light(app->scene, light);
+    select_object(app, &object, NULL);
+}
+
+bool edits_close(App *app) {
+    bool is_open = app->window.object_inspector.number > 0;
+    select_object(app, NULL, NULL);
+    return is_open;
+}
+
+/* --- changing --------------------------------------------------------------------------------- */
+
+/** A change puts a moved light back under the file's control. */
+static void release_moved_light(App *app, const SceneObject *object, const Parameter *row) {
+    bool is_place = row->type == PARAMETER_POINT || row->type == PARAMETER_DIRECTION;
+    if (is_light(object) && is_place && object->index < app->home_view.light_count) {
+        app->home_view.is_light_moved[object->index] = false;
+    }
+}
+
+/** Checks edits of one object together with those in force. @return Whether the file could have
+ *  given these values. */
+static bool check_edits(const App *app, const SceneObject *object, const SceneOverride *edits,
+                        size_t count, Error *error) {
+    SceneOverride *all = calloc(SCENE_OVERRIDES_MAXIMUM + count, sizeof *all);
+    if (!all) {
+        return error_set(error, STATUS_FAILED, "no memory for a change");
+    }
+    size_t in_force = edit_history_overrides(&app->edits, all);
+    memcpy(all + in_force, edits, count * sizeof *edits);
+    bool is_valid = scene_override_check(object, all, in_force + count, error) &&
+                    (in_force + count <= SCENE_OVERRIDES_MAXIMUM ||
+                     error_set(error, STATUS_FAILED, "at most %d changes can be kept",
+                               SCENE_OVERRIDES_MAXIMUM));
+    free(all);
+    return is_valid;
+}
+
+/** Remembers the value that the file gives a field. @return Whether there was memory. */
+static bool keep_original(App *app, const SceneObject *object, const SceneOverride *edit,
+                          Error *error) {
+    SceneOverride original = *edit;
+    SceneObject home = *object;
+    if (is_light(object) && object->index < app->home_view.light_count) {
+        home.values = &app->home_view.lights[object->index];
+    }
+    scene_object_get(&home, edit->row, original.numbers);
+    return edit_history_keep_original(&app->edits, &original, error);
+}
+
+/** Adds edits of one object, or says why they are not possible. */
+static void apply_edits(App *app, const SceneOverride *edits, size_t count, bool continues) {
+    SceneObject object;
+    Error error = {0};
+    if (!app->settings->load ||
+        !scene_object_find(app->scene, edits[0].keyword, edits[0].number, &object)) {
+        app_set_status(app, "there is no such object");
+        return;
+    }
+    bool is_good = check_edits(app, &object, edits, count, &error);
+    for (size_t i = 0; i < count && is_good; i++) {
+        is_good = keep_original(app, &object, &edits[i], &error) &&
+                  edit_history_add(&app->edits, &edits[i], continues || i > 0, &error);
+        release_moved_light(app, &object, scene_object_row(edits[i].keyword, edits[i].row));
+    }
+    if (!is_good) {
+        app_set_status(app, "%.*s", STATUS_TEXT_SIZE - 1, error.message);
+    }
+}
+
+void edits_set(App *app, const SceneOverride *override, bool continues) {
+    if (scene_object_row(override->keyword, override->row)) {
+        apply_edits(app, override, 1, continues);
+    }
+}
+
+/** Significant digits of the distance to the target in which objects move: far less than a pixel.
+ */
+enum { MOVE_DIGITS = 5 };
+
+/** @return Decimals of the places of objects that are moved: they are short in a file. */
+static int decimals_of_scene(const App *app) {
+    double digits = MOVE_DIGITS - floor(log10(app->scene->camera.target_distance));
+    return (int)SDL_clamp(digits, 0, 30);
+}
+
+/** @return A number with few decimals. */
+static double shorten(double number, int decimals) {
+    char text[512]; // The largest double has 309 digits before the point.
+    snprintf(text, sizeof text, "%.*f", decimals, number);
+    return strtod(text, NULL);
+}
+
+/** Most fields that move with an object. */
+enum { MOVED_FIELDS_MAXIMUM = 8 };
+
+/** Lists the new values of the points that move with an object. @return Their number. */
+static size_t list_moved_points(const App *app, const SceneObject *object, Vec3d offset,
+                                SceneOverride edits[MOVED_FIELDS_MAXIMUM]) {
+    const Parameter *row;
+    int digits = decimals_of_scene(app);
+    size_t count = 0;
+    bool has_own_point = false;
+    for (int i = 0; (row = scene_object_row(object->keyword, i)); i++) {
+        bool is_transform = strcmp(row->name, "translate") == 0;
+        // What is transformed, or has no points of its own, moves by its transform.
+        bool is_moved = row->type == PARAMETER_POINT &&
+                        (is_transform ? object->transform || !has_own_point : !object->transform);
+        if (!is_moved || count == MOVED_FIELDS_MAXIMUM) {
+            continue;
+        }
+        has_own_point = true;
+        SceneOverride edit = {object->keyword, object->origin->number, i, {0}};
+        scene_object_get(object, i, edit.numbers);
+        const SceneOverride *newest = edit_history_find(&app->edits, &edit);
+        edit = newest ? *newest : edit;
+        edit.numbers[0] = shorten(edit.numbers[0] + offset.x, digits);
+        edit.numbers[1] = shorten(edit.numbers[1] + offset.y, digits);
+        edit.numbers[2] = shorten(edit.numbers[2] + offset.z, digits);
+        edits[count++] = edit;
+    }
+    return count;
+}
+
+void edits_move(App *app, int keyword, int number, Vec3d offset, bool continues) {
+    SceneObject object;
+    SceneOverride edits[MOVED_FIELDS_MAXIMUM];
+    if (scene_object_find(app->scene, keyword, number, &object)) {
+        size_t count = list_moved_points(app, &object, offset, edits);
+        if (count > 0) {
+            apply_edits(app, edits, count, continues);
+        }
+    }
+}
+
+/** Records a change. */
+static void record_set(App *app, const SceneOverride *edit, bool continues) {
+    char *value = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&value, &size);
+    const Parameter *row = scene_object_row(edit->keyword, edit->row);
+    if (stream) {
+        scene_text_print_value(row, edit->numbers, stream);
+        fclose(stream);
+        recorder_on_step(app, "set(\"%s\", %d, \"%s\", %s%s)",
+                         scene_object_keyword(edit->keyword)->name, edit->number, row->name, value,
+                         continues ? ", true" : "");
+        free(value);
+    }
+}
+
+void edits_undo(App *app) {
+    if (!edit_history_undo(&app->edits)) {
+        app_set_status(app, "there is nothing to undo");
+    }
+}
+
+void edits_redo(App *app) {
+    if (!edit_history_redo(&app->edits)) {
+        app_set_status(app, "there is nothing to do again");
+    }
+}
+
+bool edits_grab(App *app, double x, double y, Vec3d *point) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    SceneObject object;
+    return inspector->number > 0 && scene_object_is_shape(inspector->keyword) &&
+           find_object_at(app, x, y, &object, point) && object.keyword == inspector->keyword &&
+           object.origin->number == inspector->number;
+}
+
+void edits_drag(App *app, Vec3d offset, bool continues) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    recorder_on_step(app, "move(\"%s\", %d, %.17g, %.17g, %.17g%s)",
+                     scene_object_keyword(inspector->keyword)->name, inspector->number, offset.x,
+                     offset.y, offset.z, continues ? ", true" : "");
+    edits_move(app, inspector->keyword, inspector->number, offset, continues);
+}
+
+/* --- as text ---------------------------------------------------------------------------------- */
+
+/** @return The selected object; its number is 0 if there is none. */
+static bool find_selected(App *app, SceneObject *object) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    return inspector->number > 0 &&
+           scene_object_find(app->scene, inspector->keyword, inspector->number, object);
+}
+
+void edits_copy(App *app) {
+    SceneObject object;
+    if (!find_selected(app, &object)) {
+        app_set_status(app, "nothing is selected: click on a thing");
+        return;
+    }
+    char *text = scene_text_of_object(app->scene, &object);
+    if (!text) {
+        app_set_status(app, "a distance field is a program: copy it from the file");
+        return;
+    }
+    puts(text);
+    fflush(stdout);
+    bool is_copied = SDL_SetClipboardText(text) == 0;
+    app_set_status(app, is_copied ? N_("the object can be pasted") : N_("the object is printed"));
+    free(text);
+}
+
+/** @return Number of objects of a keyword that a line of the file made. */
+static size_t count_of_line(const Scene *scene, const SceneObject *object) {
+    size_t count = 0;
+    bool is_shape = scene_object_is_shape(object->keyword);
+    bool is_material = scene_object_keyword(object->keyword) == &scene_material_keyword;
+    size_t all = is_shape      ? scene->shape_count
+                 : is_material ? scene->material_count
+                               : scene->light_count;
+    for (size_t i = 0; i < all; i++) {
+        SceneObject other = is_shape      ? scene_object_of_shape(scene, i)
+                            : is_material ? scene_object_of_material(scene, i)
+                                          : scene_object_of_light(scene, i);
+        count += other.keyword == object->keyword && other.origin->line == object->origin->line;
+    }
+    return count;
+}
+
+/** Checks that one call of the scene file made an object. @return Whether it did. */
+static bool check_origin(const Scene *scene, const SceneObject *object, Error *error) {
+    const char *keyword = scene_object_keyword(object->keyword)->name;
+    if (object->origin->line == 0) {
+        return error_set(error, STATUS_FAILED, "%s %d is made in an included file", keyword,
+                         object->origin->number);
+    }
+    size_t count = count_of_line(scene, object);
+    return count == 1 || error_set(error, STATUS_FAILED,
+                                   "line %d makes %zu objects: a value there would change them all",
+                                   object->origin->line, count);
+}
+
+/** Reads a file. @return Its text, to be freed with `free`; NULL after an error. */
+static char *read_file(const char *path, size_t *size, Error *error) {
+    struct stat info;
+    int file = regular_file_open(path, &info, error);
+    if (file < 0) {
+        return NULL;
+    }
+    char *text = info.st_size <= FILE_MAXIMUM ? malloc((size_t)info.st_size + 1) : NULL;
+    *size = 0;
+    for (ssize_t got = 1; text && got > 0 && *size < (size_t)info.st_size;) {
+        got = read(file, text + *size, (size_t)info.st_size - *size);
+        *size += got > 0 ? (size_t)got : 0;
+    }
+    close(file);
+    if (!text) {
+        error_set(error, STATUS_FAILED, "no memory for a scene file");
+    }
+    return text;
+}
+
+/** Writes the values in force of an object into a text. @param[in,out] text The text; replaced.
+ *  @param[in,out] count The number of values written is added. @return Whether all are written. */
+static bool write_values(const App *app, const SceneObject *object, char **text, size_t *size,
+                         size_t *count, Error *error) {
+    const Parameter *row;
+    for (int i = 0; (row = scene_object_row(object->keyword, i)); i++) {
+        const SceneOverride field = {object->keyword, object->origin->number, i, {0}};
+        const SceneOverride *newest = edit_history_find(&app->edits, &field);
+        if (!newest) {
+            continue;
+        }
+        char *value = NULL, *replaced = NULL;
+        size_t value_size = 0, new_size = 0;
+        FILE *stream = open_memstream(&value, &value_size);
+        if (stream) {
+            scene_text_print_value(row, newest->numbers, stream);
+            fclose(stream);
+            const SourceField place = {scene_object_keyword(object->keyword)->name,
+                                       object->origin->line, row->name, value};
+            replaced = check_origin(app->scene, object, error)
+                           ? source_edit_set(*text, *size, &place, &new_size, error)
+                           : NULL;
+            free(value);
+        }
+        if (!replaced) {
+            return false;
+        }
+        free(*text);
+        *text = replaced;
+        *size = new_size;
+        ++*count;
+    }
+    return true;
+}
+
+/** Checks that the scene file is the user's own, and as it was loaded. @return Whether it is. */
+static bool check_file(const App *app, Error *error) {
+    char folder[PATH_MAX], own[PATH_MAX];
+    const char *path = app->source.path;
+    if (strcmp(path, "-") == 0) {
+        return error_set(error, STATUS_FAILED, "a scene from standard input has no file");
+    }
+    bool is_installed = data_dir_scenes(folder) && realpath(path, own) &&
+                        strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
+    if (is_installed) {
+        return error_set(error, STATUS_FAILED, "this scene belongs to the program: save a copy");
+    }
+    if (current_scene_file_changed(app)) {
+        return error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");
+    }
+    return atomic_file_check(path, error);
+}
+
+/** Replaces a file. @return Whether it is written. */
+static bool replace_file(const char *path, const char *text, size_t size, Error *error) {
+    AtomicFile file;
+    if (!atomic_file_open(&file, path, ATOMIC_REPLACE, error)) {
+        return false;
+    }
+    if (fwrite(text, 1, size, file.stream) != size) {
+        atomic_file_discard(&file);
+        return error_set(error, STATUS_FAILED, "it cannot be written");
+    }
+    return atomic_file_commit(&file, error);
+}
+
+/** Writes the selected object and its material. @param[out] count Number of values. @return Whether
+ *  they are written. */
+static bool write_selected(App *app, const SceneObject *objects, size_t object_count, size_t *count,
+                           Error *error) {
+    size_t size = 0;
+    char *text = check_file(app, error) ? read_file(app->source.path, &size, error) : NULL;
+    bool is_good = text != NULL;
+    for (size_t i = 0; i < object_count && is_good; i++) {
+        is_good = write_values(app, &objects[i], &text, &size, count, error);
+    }
+    is_good = is_good && (*count == 0 || replace_file(app->source.path, text, size, error));
+    free(text);
+    return is_good;
+}
+
+void edits_write(App *app) {
+    SceneObject objects[2];
+    Error error = {0};
+    size_t count = 0, object_count = 1;
+    if (!find_selected(app, &objects[0])) {
+        app_set_status(app, "nothing is selected: click on a thing");
+        return;
+    }
+    if (scene_object_is_shape(objects[0].keyword)) {
+        size_t material = app->scene->shapes[objects[0].index].material_index;
+        objects[1] = scene_object_of_material(app->scene, material);
+        object_count = objects[1].origin->number > 0 ? 2 : 1;
+    }
+    if (!write_selected(app, objects, object_count, &count, &error)) {
+        app_set_status(app, "not written: %.*s", STATUS_TEXT_SIZE - 32, error.message);
+    } else if (count == 0) {
+        app_set_status(app, "nothing of it has changed");
+    } else {
+        for (size_t i = 0; i < object_count; i++) {
+            edit_history_wake_originals(&app->edits, objects[i].keyword, objects[i].origin->number);
+        }
+        current_scene_file_written(app);
+        app_set_status(app,
+                       ngettext("%zu value written into %s", "%zu values written into %s", count),
+                       count, app->source.path);
+    }
+}
+
+/* --- requests --------------------------------------------------------------------------------- */
+
+/** Issues a command by its name. */
+static void issue(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
+/** Carries out what the inspector requests besides an edit. */
+static void handle_request(App *app, InspectorRequest request) {
+    switch (request) {
+    case INSPECTOR_CLOSE:
+        edits_close(app);
+        break;
+    case INSPECTOR_UNDO:
+    case INSPECTOR_REDO:
+        issue(app, request == INSPECTOR_UNDO ? "undo" : "redo");
+        break;
+    case INSPECTOR_COPY:
+        edits_copy(app);
+        break;
+    case INSPECTOR_WRITE:
+        edits_write(app);
+        break;
+    case INSPECTOR_RAYS:
+        issue(app, "rays");
+        break;
+    case INSPECTOR_NO_REQUEST:
+        break;
+    }
+}
+
+void edits_handle_requests(App *app) {
+    ObjectInspector *inspector = &app->window.object_inspector;
+    InspectorRequest request = inspector->request;
+    if (inspector->has_edit && !app_is_playing(app)) {
+        record_set(app, &inspector->edit, inspector->continues);
+        edits_set(app, &inspector->edit, inspector->continues);
+    }
+    inspector->has_edit = false;
+    inspector->request = INSPECTOR_NO_REQUEST;
+    handle_request(app, request);
+}

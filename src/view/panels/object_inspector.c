@@ -1,0 +1,296 @@
+/**
+ * @file
+ * @brief Widgets by parameter tables, and the outline of the selected object.
+ */
+#include "view/panels/object_inspector.h"
+
+#include "base/language.h"
+
+#include <libintl.h>
+#include <math.h>
+#include <stdio.h>
+
+/** Bytes of a title or a tooltip with the final zero. */
+enum { LABEL_SIZE = 256 };
+/** Widest range of a number that a slider shows; others are dragged. */
+static const double SLIDER_RANGE_MAXIMUM = 1;
+/** How much a pixel of a drag changes a number, as a fraction of it. */
+static const double DRAG_FRACTION = 0.005;
+/** The same at zero, as a fraction of the scene's size. */
+static const double DRAG_SCENE_FRACTION = 0.002;
+/** Significant digits of a number that was dragged, so that it is short in a file. */
+enum { DRAG_DIGITS = 4 };
+
+/** What the widgets of one object need. */
+typedef struct WidgetContext {
+    ObjectInspector *inspector;            /**< The inspector. */
+    const ObjectInspectorContent *content; /**< What it shows. */
+    const SceneObject *object;             /**< The object. */
+    double scene_size;                     /**< Size of the scene, scene units. */
+} WidgetContext;
+
+/** @return A number with few digits. */
+static double shorten(double number) {
+    char text[32];
+    double shortened = number;
+    snprintf(text, sizeof text, "%.*g", DRAG_DIGITS, number);
+    sscanf(text, "%lf", &shortened);
+    return shortened;
+}
+
+/** @return How much a pixel of a drag changes a value. */
+static double drag_speed(const WidgetContext *context, const Parameter *row,
+                         const double *numbers) {
+    double largest = 0;
+    for (int i = 0; i < parameter_number_count(row->type); i++) {
+        largest = fmax(largest, fabs(numbers[i]));
+    }
+    bool is_place = row->type == PARAMETER_POINT;
+    double at_zero = is_place ? context->scene_size * DRAG_SCENE_FRACTION : DRAG_FRACTION;
+    return is_place ? at_zero : fmax(largest * DRAG_FRACTION, largest > 0 ? 0 : at_zero);
+}
+
+/** Shows numbers that are dragged. @return Whether the user has changed them. */
+static bool drag_numbers(const WidgetContext *context, const Parameter *row, double *numbers,
+                         const char *tooltip) {
+    int count = parameter_number_count(row->type);
+    double before[PARAMETER_NUMBERS_MAXIMUM];
+    for (int i = 0; i < count; i++) {
+        before[i] = numbers[i];
+    }
+    bool is_changed = gui_edit_numbers(row->name, numbers, count, row->minimum, row->maximum,
+                                       drag_speed(context, row, numbers), tooltip);
+    for (int i = 0; is_changed && i < count; i++) {
+        numbers[i] = numbers[i] != before[i] ? shorten(numbers[i]) : before[i];
+    }
+    return is_changed;
+}
+
+/** Shows the widget of a value. @return Whether the user has changed it. */
+static bool show_widget(const WidgetContext *context, const Parameter *row, double *numbers,
+                        const char *tooltip) {
+    bool is_narrow = row->maximum - row->minimum <= SLIDER_RANGE_MAXIMUM;
+    bool is_changed;
+    switch (row->type) {
+    case PARAMETER_COLOR:
+        return gui_edit_color(row->name, numbers, row->maximum, tooltip);
+    case PARAMETER_BOOLEAN:
+        return gui_edit_check(row->name, numbers, tooltip);
+    case PARAMETER_CHOICE:
+        return gui_edit_choice(row->name, numbers, row->choices, tooltip);
+    case PARAMETER_INTEGER:
+        is_changed =
+            gui_edit_numbers(row->name, numbers, 1, row->minimum, row->maximum, 1, tooltip);
+        numbers[0] = round(numbers[0]);
+        return is_changed;
+    case PARAMETER_NUMBER:
+        if (is_narrow) {
+            is_changed = gui_edit_slider(row->name, numbers, row->minimum, row->maximum, tooltip);
+            numbers[0] = is_changed ? shorten(numbers[0]) : numbers[0];
+            return is_changed;
+        }
+        return drag_numbers(context, row, numbers, tooltip);
+    default:
+        return drag_numbers(context, row, numbers, tooltip);
+    }
+}
+
+/** @return Whether a row says where a light is. */
+static bool is_place(const Parameter *row) {
+    return row->type == PARAMETER_POINT || row->type == PARAMETER_DIRECTION;
+}
+
+/** Shows one field, and requests an edit if the user changes it. */
+static void show_field(const WidgetContext *context, const Parameter *row, int row_index) {
+    ObjectInspector *inspector = context->inspector;
+    const ObjectInspectorContent *content = context->content;
+    SceneOverride field = {.keyword = context->object->keyword,
+                           .number = context->object->origin->number,
+                           .row = row_index};
+    char tooltip[LABEL_SIZE];
+    scene_object_get(context->object, row_index, field.numbers);
+    const SceneOverride *newest = edit_history_find(content->history, &field);
+    if (newest && !(content->is_light_moved && is_place(row))) {
+        field = *newest;
+    }
+    snprintf(tooltip, sizeof tooltip, "%s (%s)", gettext(row->help),
+             gettext(row->unit ? row->unit : row->name));
+    if (show_widget(context, row, field.numbers, tooltip) && !content->is_read_only &&
+        field.number > 0) {
+        inspector->edit = field;
+        inspector->has_edit = true;
+        inspector->continues = inspector->is_continuing;
+        inspector->is_continuing = true;
+    }
+}
+
+/** Shows the fields of an object. @param first Its first row. @param end Behind its last one; -1:
+ *  all. */
+static void show_fields(const WidgetContext *context, int first, int end) {
+    const Parameter *row;
+    for (int i = first;
+         (end < 0 || i < end) && (row = scene_object_row(context->object->keyword, i)); i++) {
+        if (parameter_number_count(row->type) > 0) {
+            show_field(context, row, i);
+        }
+    }
+}
+
+/** @return Number of rows of an object's own table: those of the transform follow. */
+static int own_row_count(int keyword) {
+    const Parameter *rows = scene_object_keyword(keyword)->parameters;
+    int count = 0;
+    while (rows[count].name) {
+        count++;
+    }
+    return count;
+}
+
+/** Writes what an object is: `sphere 2, line 35`. */
+static void write_name(const SceneObject *object, char name[LABEL_SIZE]) {
+    const char *keyword = scene_object_keyword(object->keyword)->name;
+    int number = object->origin->number, line = object->origin->line;
+    if (line > 0) {
+        snprintf(name, LABEL_SIZE, gettext("%s %d, line %d"), keyword, number, line);
+    } else {
+        snprintf(name, LABEL_SIZE, "%s %d", keyword, number);
+    }
+}
+
+/** @return Number of shapes that have a material. */
+static size_t count_users(const Scene *scene, size_t material) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        count += scene->shapes[i].material_index == material;
+    }
+    return count;
+}
+
+/** Shows the material of a shape. */
+static void show_material(const WidgetContext *context) {
+    const Scene *scene = context->content->scene;
+    size_t index = scene->shapes[context->object->index].material_index;
+    SceneObject material = scene_object_of_material(scene, index);
+    char title[LABEL_SIZE], text[LABEL_SIZE];
+    if (material.origin->number == 0) {
+        gui_inspector_text(gettext("It has no material of its own."));
+        return;
+    }
+    WidgetContext own = *context;
+    own.object = &material;
+    write_name(&material, title);
+    if (gui_inspector_section(title, true)) {
+        size_t users = count_users(scene, index);
+        if (users > 1) {
+            snprintf(text, sizeof text, ngettext("%zu shape has it.", "%zu shapes have it.", users),
+                     users);
+            gui_inspector_text(text);
+        }
+        show_fields(&own, 0, -1);
+    }
+}
+
+/** Shows the buttons. */
+static void show_buttons(ObjectInspector *inspector) {
+    static const struct {
+        InspectorRequest request;
+        const char *label;
+        const char *tooltip;
+    } buttons[] = {
+        {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl Z")},
+        {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl Y")},
+        {INSPECTOR_COPY, N_("copy as scene text"), N_("its text with these values, to paste")},
+        {INSPECTOR_WRITE, N_("write into the file"), N_("its changes, at the line that made it")},
+        {INSPECTOR_RAYS, N_("rays of this pixel"), N_("of the pixel that was clicked")},
+    };
+    for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
+        bool is_possible = buttons[i].request != INSPECTOR_RAYS || inspector->has_pixel;
+        if (is_possible &&
+            gui_inspector_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
+            inspector->request = buttons[i].request;
+        }
+    }
+}
+
+/** @return The size of a scene, scene units. */
+static double size_of_scene(const Scene *scene) {
+    Aabbd bounds = scene_bounds(scene);
+    return aabbd_is_bounded(bounds) && bounds.low.x <= bounds.high.x
+               ? vec3d_max_abs(vec3d_subtract(bounds.high, bounds.low))
+               : scene->camera.target_distance;
+}
+
+void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
+    SceneObject object;
+    char title[LABEL_SIZE];
+    if (inspector->number == 0 ||
+        !scene_object_find(content->scene, inspector->keyword, inspector->number, &object)) {
+        return;
+    }
+    WidgetContext context = {inspector, content, &object, size_of_scene(content->scene)};
+    write_name(&object, title);
+    if (!gui_inspector_begin("object", title, content->top)) {
+        inspector->request = INSPECTOR_CLOSE;
+    }
+    if (!content->is_read_only) {
+        show_buttons(inspector);
+    }
+    int own = own_row_count(object.keyword);
+    show_fields(&context, 0, own);
+    if (scene_object_is_shape(object.keyword)) {
+        if (gui_inspector_section(gettext("transform"), object.transform != NULL)) {
+            show_fields(&context, own, -1);
+        }
+        show_material(&context);
+    }
+    if (!gui_is_editing()) {
+        inspector->is_continuing = false;
+    }
+    gui_inspector_end();
+}
+
+/* --- the outline ------------------------------------------------------------------------------ */
+
+/** @return Whether a point is in front of the camera. @param[out] place Where it is in the picture,
+ *  pixels of the window. */
+static bool project(const SceneCamera *camera, const SDL_Rect *picture, Vec3d point,
+                    GuiPoint *place) {
+    Vec3d offset = vec3d_subtract(point, camera->position);
+    double ahead = vec3d_dot(offset, camera->direction);
+    double scale = picture->w / (2 * tan(camera->fov * M_PI / 360));
+    place->x = (float)(picture->x + picture->w / 2.0 +
+                       vec3d_dot(offset, scene_camera_right(camera)) / ahead * scale);
+    place->y =
+        (float)(picture->y + picture->h / 2.0 - vec3d_dot(offset, camera->up) / ahead * scale);
+    return ahead > 1e-6 * camera->target_distance;
+}
+
+void object_inspector_outline(const ObjectInspector *inspector, const Scene *scene,
+                              const SDL_Rect *picture) {
+    SceneObject object;
+    if (inspector->number == 0 || !scene_object_is_shape(inspector->keyword) ||
+        !scene_object_find(scene, inspector->keyword, inspector->number, &object)) {
+        return;
+    }
+    Aabbd box = scene_shape_facts(scene, &scene->shapes[object.index]).bounds;
+    if (!aabbd_is_bounded(box)) {
+        return;
+    }
+    for (int corner = 0; corner < 8; corner++) {
+        for (int axis = 1; axis < 8; axis *= 2) {
+            Vec3d ends[2];
+            GuiPoint places[2];
+            bool is_ahead = true;
+            for (int i = 0; i < 2; i++) {
+                int bits = i == 0 ? corner : corner | axis;
+                ends[i] =
+                    (Vec3d){bits & 1 ? box.high.x : box.low.x, bits & 2 ? box.high.y : box.low.y,
+                            bits & 4 ? box.high.z : box.low.z};
+                is_ahead = project(&scene->camera, picture, ends[i], &places[i]) && is_ahead;
+            }
+            if (!(corner & axis) && is_ahead) {
+                gui_outline_line(places[0], places[1]);
+            }
+        }
+    }
+}

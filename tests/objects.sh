@@ -1,0 +1,73 @@
+#!/bin/bash
+# Objects of the scene: clicked, changed, undone, written into the file, recorded and replayed.
+. "$(dirname "$0")/check.sh"
+. tests/screen.sh
+start_server
+
+# A room with one ball in the middle of the picture; its inspector is at the right.
+cat >"$work/ball.lua" <<'END'
+camera { position = {0, 0, 6} }
+image { width = 800, height = 600 }
+light { position = {3, 4, 5} }
+sphere { center = {0, 0, 0}, radius = 1, -- the ball
+  material = material { color = {1, 0, 0} } }
+for i = 1, 2 do sphere { center = {-4 + i, 2, 0}, radius = 0.25 } end
+END
+cp "$work/ball.lua" "$work/first.lua"
+click() { xdotool mousemove --window "$window" "$@" click 1; }
+# drag_widget: drags the second row of numbers of the inspector, the radius, to the right.
+drag_widget() { xdotool mousemove --window "$window" 520 306 mousedown 1 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mouseup 1; }
+
+
+open "$work/ball.lua" --samples 1
+settled && cp "$work/a.ppm" "$work/plain.ppm"
+click 400 300
+changed plain selected 'a click opens the inspector'
+xdotool key Escape
+restored plain 'Esc closes it'
+click 400 300 && settled
+click 20 580
+restored plain 'so does a click on nothing'
+click 400 300 && settled && cp "$work/a.ppm" "$work/selected.ppm"
+xdotool key r && sleep 0.5
+click 400 300 && sleep 0.3
+drag_widget
+changed selected wide 'a number is dragged: the scene changes'
+xdotool key ctrl+z && quiet && settled
+xdotool key ctrl+y && quiet && settled
+xdotool key p && sleep 1 && xdotool key r && sleep 1
+lesson=$(ls "$work"/shots/*-lesson-*.lua)
+grep -qE '^set\("sphere", 1, "radius", [0-9.]+\)$' "$lesson" && ok 'changes are recorded' || fail "$(cat "$lesson")"
+[ "$(grep -cE '^set\(.*, true\)$' "$lesson")" -ge 1 ] && ok 'a drag is one change' || fail "$(cat "$lesson")"
+grep -qx 'press "undo"' "$lesson" && ok 'undo is recorded' || fail "$(cat "$lesson")"
+radius=$(grep -E '^set' "$lesson" | tail -1 | sed 's/.*"radius", \([0-9.]*\).*/\1/')
+xdotool key ctrl+c && sleep 0.5
+grep -q "^sphere { radius = $radius, material = material { color = {1, 0, 0} } }$" "$work/log" &&
+    ok 'Ctrl C gives its text' || fail "$(tail -1 "$work/log")"
+xdotool key ctrl+s && sleep 1
+sed "s/radius = 1,/radius = $radius,/" "$work/first.lua" >"$work/wanted.lua"
+same "$work/ball.lua" "$work/wanted.lua" 'Ctrl S writes the value at its line'
+xdotool key ctrl+z && sleep 1 && xdotool key p && sleep 1.5
+undone=$(ls "$work"/shots/*.bmp | tail -1)
+"$dioptre" render "$work/first.lua" --samples 1 -o "$work/first.bmp"
+same "$undone" "$work/first.bmp" 'undo leads back to the value before, after writing too'
+xdotool mousemove --window "$window" 380 320 mousedown 1
+for _ in 1 2 3; do xdotool mousemove_relative -- -20 20 && sleep 0.2; done
+xdotool mouseup 1 key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -qE '^sphere \{ center = \{-0\.[0-9]{1,6}, -0\.[0-9]{1,6}, 0\}' && ok 'a shape is dragged in the plane that faces you' ||
+    fail "$(tail -1 "$work/log")"
+xdotool key ctrl+z && sleep 0.5 && xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -q 'center' && fail "$(tail -1 "$work/log")" || ok 'and undo takes the whole drag back'
+click 145 90 && settled
+drag_widget && sleep 0.5
+xdotool key ctrl+s && sleep 0.5
+same "$work/ball.lua" "$work/wanted.lua" 'a value of a loop is not written'
+leave
+cp "$work/first.lua" "$work/ball.lua"
+mkdir "$work/replayed"
+timeout 100 "$dioptre" view --lesson "$lesson" --lesson-snapshots "$work/replayed" >"$work/log" 2>&1
+recorded=$(ls "$work"/shots/*.bmp | head -1)
+same "$(ls "$work"/replayed/*.bmp | head -1)" "$recorded" 'the lesson replays it, to the bit'
+"$dioptre" render "$work/wanted.lua" --samples 1 -o "$work/wanted.bmp"
+same "$recorded" "$work/wanted.bmp" 'and the picture is that of the written file'
+finish

@@ -24,13 +24,18 @@ while read -r line; do
     command=$(echo "${line%%#*}" | sed 's/ *$//')
     case $command in
     'build/dioptre view '*)
-        scene=$(echo "$command" | awk '{ print $NF }')
+        scene=$(echo "$command" | awk '{ print $3 }')
         [ -f "$scene" ] && ok "the scene of: $command" || fail "no scene: $command"
         ;;
     'build/dioptre '*)
         expect 0 '' "$command" sh -c "cd '$work/tree' && exec $command"
         ;;
     'mkdir '*) (cd "$work/tree" && $command) ;;
+    'make web' | 'make test-web')
+        # What they compile is fetched first: the makes that they start are left out.
+        ${command} -n MAKE=true >"$work/out" 2>"$work/err" </dev/null && ok "there is $command" ||
+            fail "$command: $(tail -1 "$work/err")"
+        ;;
     make | 'make '*)
         # shellcheck disable=SC2086 # a command and its arguments
         ${command} -n >"$work/out" 2>"$work/err" </dev/null && ok "there is $command" ||

@@ -83,7 +83,7 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
  * @return A view by parallel light that holds all rays: from so far away that nothing converges.
  * @param orbit    Says how long rays are drawn.
  * @param forward  Direction of the light, of length 1.
- * @param up       Up in the picture, of length 1, across #forward.
+ * @param up       Up in the picture, of length 1, across \p forward.
  * @param width    Of the picture, pixels.
  * @param[out] nearest  Smallest distance of a point of the rays from the camera, along the light.
  */

@@ -264,8 +264,10 @@ void ray_drawing_numbers(const RayDrawing *drawing) {
 
 /* --- sphere tracing --------------------------------------------------------------------------- */
 
-/** Opacity of a sphere of free distance, and of its edge. */
-static const double SPHERE_ALPHA = 0.07, SPHERE_EDGE_ALPHA = 0.8;
+/** Opacity of a sphere of free distance. */
+static const double SPHERE_ALPHA = 0.07;
+/** Opacity of its edge. */
+static const double SPHERE_EDGE_ALPHA = 0.8;
 /** Colour of the spheres: Okabe and Ito's vermilion. */
 static const unsigned SPHERE_COLOR = 0xD55E00;
 

@@ -9,8 +9,10 @@
 
 #include <math.h>
 
-/** Height from which a point is measured, in offsets of the next rays and in ulps. */
-static const double START_EPSILONS = 16, START_ULPS = 1024;
+/** Height from which a point is measured, in offsets of the next rays. */
+static const double START_EPSILONS = 16;
+/** Least such height, in ulps. */
+static const double START_ULPS = 1024;
 
 /** A shape of a scene, traced in quadruple precision. */
 typedef struct Reference {

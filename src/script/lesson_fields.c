@@ -179,7 +179,7 @@ static void read_title(lua_State *L, Lesson *lesson) {
  * @param minimum  Least number of texts; 0: the field may be missing.
  * @param maximum  Most texts.
  * @param lesson   The lesson, which owns the copies.
- * @param texts    The texts; has room for #maximum.
+ * @param texts    The texts; has room for \p maximum.
  * @return Number of texts.
  */
 static int read_texts(lua_State *L, const char *name, int minimum, int maximum, Lesson *lesson,

@@ -4,11 +4,11 @@
  *
  * The parts of src/view, from the bottom; each includes only parts above it in this list:
  *
- *     state/      screen-independent state: commands' type, held keys, clocks, overrides, snapshots
+ *     state/      screen-independent state: commands' type, held keys, clocks, overrides, edits
  *     window/     SDL: the window, textures, viewports (Window > Viewport > StreamingTexture)
  *     gui/        buttons, lists and marks: a C header over Dear ImGui
- *     loading/    threads: the scene loader, the list of scenes, the file watcher
- *     panels/     what lies over the picture: bar, help, heads-up panel, rays, captions, scenes
+ *     loading/    threads: scene loader, list of scenes, file watcher, error meter
+ *     panels/     what lies over the picture: bar, help, legends, rays, inspector, lesson, scenes
  *     window.h    the viewports and panels of one window
  *     app.h       all of that with scene, time, lesson and input: this file
  *     commands/   the table of commands, what they do, the scene on screen, the recorder

@@ -79,8 +79,8 @@ CLI_SOURCES   := $(wildcard src/cli/*.c)
 OBJ           := $(BUILD)/obj
 ENGINE_OBJECTS := $(ENGINES:%=$(OBJ)/engine-%.o)
 TYPE_OBJECTS  := $(TYPES:%=$(OBJ)/type-%.o)
-GUI_OBJECT    := $(OBJ)/src/view/gui/gui.o
-ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(GUI_OBJECT) $(ENGINE_OBJECTS) $(TYPE_OBJECTS)
+GUI_OBJECTS   := $(patsubst %.cpp,$(OBJ)/%.o,$(wildcard src/view/gui/*.cpp))
+ROOM_OBJECTS  := $(ROOM_SOURCES:%.c=$(OBJ)/%.o) $(GUI_OBJECTS) $(ENGINE_OBJECTS) $(TYPE_OBJECTS)
 CLI_OBJECTS   := $(CLI_SOURCES:%.c=$(OBJ)/%.o)
 TEST_SOURCES  := $(wildcard tests/test_*.c)
 TESTS         := $(TEST_SOURCES:tests/%.c=$(BUILD)/tests/%)
@@ -91,7 +91,7 @@ MESHES_MODULE := $(BUILD)/dioptre-meshes.so
 MODULES       := $(IMAGES_MODULE) $(MESHES_MODULE)
 LANGUAGES     := $(patsubst src/po/%.po,%,$(wildcard src/po/*.po))
 CATALOGUES    := $(LANGUAGES:%=$(BUILD)/locale/%/LC_MESSAGES/dioptre.mo)
-# The interface is C++ (src/view/gui/gui.cpp), for Dear ImGui.
+# The interface is C++ (src/view/gui), for Dear ImGui.
 LIBRARIES     = $(call PKG_LIBS,sdl2 lua5.4 cairo imgui) -ldl -lm -lstdc++ -pthread
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
@@ -145,7 +145,7 @@ $(FLAGS): always
 $(OBJ)/%.o: %.c $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(ROOM_CFLAGS) -MMD -MP -c -o $@ $<
-$(GUI_OBJECT): src/view/gui/gui.cpp $(FLAGS) | libraries
+$(GUI_OBJECTS): $(OBJ)/%.o: %.cpp $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(filter-out -fvisibility=hidden,$(CXXFLAGS)) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'

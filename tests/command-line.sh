@@ -11,7 +11,8 @@ for command in view render animate probe info compare bench lab needs chart; do
 done
 expect 0 '' 'version' "$dioptre" -V
 holds "$work/out" '^dioptre [0-9]+\.[0-9]+' 'version has a number'
-expect 2 'which command' 'no command' "$dioptre"
+expect 2 'which command' 'no command, without a display' env -u DISPLAY -u WAYLAND_DISPLAY "$dioptre"
+expect 2 "does not take" "an option without a command" "$dioptre" -q
 expect 2 'no option' 'unknown option' "$dioptre" render "$box" --nonsense
 expect 2 'does not take' 'option of another command' "$dioptre" render "$box" -o x.bmp --json
 expect 2 'needs -o' 'render without output' "$dioptre" render "$box"

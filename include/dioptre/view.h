@@ -75,6 +75,7 @@ typedef struct ViewSettings {
     const char *predictions; /**< Choices of an unattended lesson's questions, a digit each; the
                                   questions after them are answered right. NULL: all are. */
     const char *answer_path; /**< File to which answers are appended; NULL: they are not kept. */
+    bool opens_list;         /**< Whether the list of scenes is open at first. */
     bool prints_timing;      /**< Whether latencies are printed when the window closes. */
 } ViewSettings;
 

@@ -53,7 +53,8 @@ static const int USAGE_WIDTH = 28;
 static void print_help(void) {
     fputs(gettext("dioptre: a ray tracer to teach with\n\n"
                   "usage: dioptre COMMAND ...\n"
-                  "       dioptre SCENE     the same as dioptre view SCENE\n\n"),
+                  "       dioptre SCENE     the same as dioptre view SCENE\n"
+                  "       dioptre           shows the list of scenes\n\n"),
           stdout);
     for (int i = 0; i < COMMAND_COUNT; i++) {
         printf("  %-8s ", commands[i].name);
@@ -160,7 +161,7 @@ static void parse_and_run(int argc, char **argv, Error *error) {
         command ? print_command_help(command) : print_help();
     } else if (command) {
         run_command(command, &options, error);
-    } else {
+    } else if (argc > 1 || !cli_browse(error)) {
         error_set(error, STATUS_USAGE, "which command? (--help names them)");
     }
 }

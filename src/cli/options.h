@@ -87,6 +87,7 @@ typedef struct Options {
     bool quiet;                               /**< `--quiet` */
     bool json;                                /**< `--json` */
     bool timing;                              /**< `--timing` */
+    bool opens_list;                          /**< Whether the list of scenes is open at first. */
     bool kernels;                             /**< `--kernels` */
     bool help;                                /**< `--help` */
     bool version;                             /**< `--version` */

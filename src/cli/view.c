@@ -4,6 +4,7 @@
  */
 #include "dioptre/view.h"
 #include "base/clock.h"
+#include "base/data_dir.h"
 #include "base/language.h"
 #include "base/lesson_file.h"
 #include "cli/commands.h"
@@ -12,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /** The source of scenes for the window. */
 typedef struct SceneSource {
@@ -139,8 +141,8 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     if (lesson_file_is(path) && !(lesson = open_lesson(path, &options, error))) {
         return NULL;
     }
-    Scene *scene = command_run_scene(
-        &options, &(SceneRun){.time = options.time, .stop = stop}, error);
+    Scene *scene =
+        command_run_scene(&options, &(SceneRun){.time = options.time, .stop = stop}, error);
     if (scene) {
         *render = command_render_settings(&options, scene);
     }
@@ -168,6 +170,7 @@ static void show_scene(const Options *options, const Options *command_line, cons
                              .lesson_snapshot_dir = options->lesson_snapshots,
                              .predictions = options->predictions,
                              .answer_path = options->answers,
+                             .opens_list = options->opens_list,
                              .prints_timing = options->timing};
     const ViewRequest first = {.time = options->time};
     Scene *scene = load_scene(&source, &first, NULL, &settings.render, &none, error);
@@ -197,6 +200,30 @@ static void play_lesson(const Options *options, Error *error) {
         show_scene(&lesson_options, options, lesson, error);
     }
     lesson_destroy(lesson);
+}
+
+/** Finds the first scene: in the working folder, else among the installed scenes. @param[out] path
+ *  Its file. @return Whether there is one. */
+static bool find_first_scene(char path[PATH_MAX]) {
+    static const char name[] = "box.lua";
+    char folder[PATH_MAX];
+    snprintf(path, PATH_MAX, "scenes/%s", name);
+    return access(path, R_OK) == 0 ||
+           (data_dir_scenes(folder) && snprintf(path, PATH_MAX, "%s/%s", folder, name) < PATH_MAX &&
+            access(path, R_OK) == 0);
+}
+
+bool cli_browse(Error *error) {
+    char path[PATH_MAX];
+    Options options = options_default();
+    if (!find_first_scene(path) || !view_is_possible()) {
+        return false;
+    }
+    options.arguments[0] = path;
+    options.argument_count = 1;
+    options.opens_list = true;
+    cli_view(&options, error);
+    return true;
 }
 
 void cli_view(const Options *options, Error *error) {

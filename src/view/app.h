@@ -171,6 +171,7 @@ typedef struct App {
     Recorder recorder;            /**< The lesson that is recorded. */
     TitleState title;             /**< The window's title. */
     bool wants_snapshot;          /**< Whether a snapshot waits for the last pass. */
+    bool wants_list;              /**< Whether the list of scenes opens with the widgets. */
     Uint32 first_event;           /**< SDL's number of #EVENT_PASS_FINISHED; the others follow. */
     ExitState exit;               /**< Whether and how the program ends. */
 } App;

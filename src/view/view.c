@@ -147,6 +147,10 @@ static void run_frame(App *app) {
     if (!window_update(&app->window, app->scene, clock_now_seconds(), &error)) {
         app_report_error(app, &error);
     }
+    if (app->wants_list && app->window.gui) {
+        app->wants_list = false;
+        run_command(app, "scenes", 1);
+    }
     run_requested_command(app);
     edits_handle_requests(app);
     player_handle_request(app);
@@ -196,6 +200,7 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
         return error->status;
     }
     player_begin(app);
+    app->wants_list = settings->opens_list;
     while (!app->exit.is_requested) {
         run_frame(app);
         if (stop && atomic_load(stop)) {

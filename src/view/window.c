@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "view/panels/picture_unrest.h"
 #include "view/state/snapshot.h"
+#include "view/window/window_icon.h"
 
 #include <libintl.h>
 #include <stdlib.h>
@@ -417,6 +418,7 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
     upload_due(window, now);
     if (window->opens_widgets) {
         window->opens_widgets = false;
+        window_icon_set(window->sdl.window); // After the first picture, which it would delay.
         window_open_widgets(window);
     }
     bool has_point = settings_chart_panel_update(&window->settings_chart,

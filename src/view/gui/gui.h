@@ -2,7 +2,7 @@
  * @file
  * @brief The graphical user interface over the picture: buttons, lists, sliders, text and marks.
  *
- * A C header over Dear ImGui, which gui.cpp alone includes. It is an immediate-mode interface: each
+ * A C header over Dear ImGui, which the C++ files beside it alone include. It is an immediate-mode interface: each
  * frame calls one function per widget, which draws it and returns what the user did with it. All
  * functions are called by the thread of the window. Labels and tooltips are already translated.
  */
@@ -267,8 +267,7 @@ typedef struct GuiText {
     GuiRect rect;               /**< Where it lies. */
     GuiRect clip;               /**< What of it can be seen. */
     float size;                 /**< Height of its letters. */
-    unsigned panel;             /**< Identifies the panel that it is in. */
-    bool scrolls;               /**< Whether that panel can scroll. */
+    bool scrolls;               /**< Whether it is in a panel that can scroll. */
 } GuiText;
 
 /** Has texts recorded from the next frame on, or no more. */
@@ -280,14 +279,8 @@ size_t gui_texts(const Gui *gui, const GuiText **texts);
 /* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
  */
 
-/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_list_end. */
+/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_panel_end. */
 void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
-
-/** Ends a list. */
-void gui_list_end(void);
-
-/** A heading. */
-void gui_list_heading(const char *text);
 
 /** A line of a label and a text, which is broken where it is too long. @param label Empty: none. */
 void gui_list_text(const char *label, const char *text);
@@ -452,9 +445,6 @@ void gui_inspector_end(void);
 
 /** Begins a part of a panel, which can be folded. @return Whether it is open. */
 bool gui_inspector_section(const char *label, bool is_open_at_first);
-
-/** Writes lines of text into a panel. */
-void gui_inspector_text(const char *text);
 
 /** A button in a panel. @return Whether it was clicked. */
 bool gui_inspector_button(const char *label, const char *tooltip);

@@ -173,7 +173,7 @@ static void show_material(const WidgetContext *context) {
     SceneObject material = scene_object_of_material(scene, index);
     char title[LABEL_SIZE], text[LABEL_SIZE];
     if (material.origin->number == 0) {
-        gui_inspector_text(gettext("It has no material of its own."));
+        gui_paragraph(gettext("It has no material of its own."), GUI_COLOR_TEXT, 1);
         return;
     }
     WidgetContext own = *context;
@@ -184,7 +184,7 @@ static void show_material(const WidgetContext *context) {
         if (users > 1) {
             snprintf(text, sizeof text, ngettext("%zu shape has it.", "%zu shapes have it.", users),
                      users);
-            gui_inspector_text(text);
+            gui_paragraph(text, GUI_COLOR_TEXT, 1);
         }
         show_fields(&own, 0, -1);
     }

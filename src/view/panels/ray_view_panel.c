@@ -149,15 +149,15 @@ static void show_list(RayView *ray_view, const Scene *scene, const Help *help,
     lower.y += upper.h;
     lower.h -= upper.h;
     gui_list_begin("rays", corner_of(&upper), size_of(&upper));
-    gui_list_heading(ray_view->heading);
+    gui_heading(ray_view->heading);
     show_kinds(ray_view, help);
     show_rows(ray_view, scene);
-    gui_list_end();
+    gui_panel_end();
     gui_list_begin("sum", corner_of(&lower), size_of(&lower));
     snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
-    gui_list_heading(text);
+    gui_heading(text);
     show_formulas(&ray_view->sum);
-    gui_list_end();
+    gui_panel_end();
 }
 
 /** Shows the buttons of the drawings beside the view, and of the arrows. */
@@ -187,7 +187,7 @@ static void show_chosen(RayView *ray_view, const Help *help, const SDL_Rect *rec
     snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
              gettext(ray_style(ray)->name));
     gui_list_begin("formulas", corner_of(rect), size_of(rect));
-    gui_list_heading(text);
+    gui_heading(text);
     if (gui_button(gettext("next ray"), gettext("the next ray flies: Space"), false)) {
         ray_view->request.command = "fly ray";
     }
@@ -196,7 +196,7 @@ static void show_chosen(RayView *ray_view, const Help *help, const SDL_Rect *rec
     }
     show_drawings(ray_view, help);
     show_formulas(&ray_view->formulas);
-    gui_list_end();
+    gui_panel_end();
 }
 
 /* --- over the picture ------------------------------------------------------------------------- */

@@ -1,0 +1,106 @@
+/**
+ * @file
+ * @brief What the files of the interface share: its state, colours, text and windows.
+ *
+ * Dear ImGui keeps one current context per process. Each function of a whole interface makes its
+ * own the current one; the widgets between #gui_begin_frame and #gui_end_frame belong to it.
+ */
+#ifndef DIOPTRE_VIEW_GUI_GUI_INTERNAL_H
+#define DIOPTRE_VIEW_GUI_GUI_INTERNAL_H
+
+#include "view/gui/gui.h"
+#include "view/gui/typeface.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+/** Padding of widgets and panels, in heights of letters: 8 pixels in letters of 20. */
+constexpr float PADDING = 0.4F;
+/** Radius of rounded corners, in heights of letters. */
+constexpr float ROUNDING = 0.3F;
+/** Behaviour of panels and cards. */
+constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
+/** The palette, by #GuiColor. Groups are distinct for colour-blind viewers too. */
+constexpr ImU32 PALETTE[GUI_COLOR_COUNT] = {
+    IM_COL32(240, 240, 240, 255), IM_COL32(150, 156, 170, 255), IM_COL32(255, 205, 90, 255),
+    IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(255, 205, 90, 255),
+    IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),  IM_COL32(255, 145, 110, 255),
+    IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(215, 225, 120, 255)};
+/** Colour of what is on, and of lights. */
+constexpr ImU32 ACCENT = PALETTE[GUI_COLOR_ACCENT];
+/** Colour of outlines on the picture: seen on light and dark ground. */
+constexpr ImU32 OUTLINE = IM_COL32(0, 0, 0, 200);
+/** Colour of text on the picture. */
+constexpr ImU32 TEXT = PALETTE[GUI_COLOR_TEXT];
+/** Colour of a row under the mouse. */
+constexpr ImU32 HOVERED = IM_COL32(255, 255, 255, 36);
+/** Colour of the selected row. */
+constexpr ImU32 SELECTED = IM_COL32(255, 205, 90, 60);
+
+struct Gui {
+    ImGuiContext *context;    /**< Dear ImGui's state; owned. */
+    SDL_Renderer *renderer;   /**< The window's renderer. */
+    const Typeface *typeface; /**< The typeface. */
+    SDL_Texture *letters;     /**< The letters; owned; null: none. */
+    float letter_size;        /**< Their height, pixels of the screen; 0: none. */
+    ImFont *heading;          /**< The letters of headings. */
+    SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
+    int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
+    bool closes_list;         /**< Whether the open list is closed in the next frame. */
+    bool records_texts;       /**< Whether #texts are recorded. */
+    ImVector<GuiText> texts;  /**< The texts of the frame. */
+};
+
+/** @return The interface whose frame is drawn. */
+Gui *current_gui();
+
+/** Shows a tooltip while the mouse is on the last widget. */
+void show_tooltip(const char *text);
+
+/** Records a text for tests. @param clip What is seen of its surroundings. */
+void record_text(const char *text, ImVec2 low, ImVec2 high, const ImVec4 &clip, float size);
+
+/** @return What can be seen of a box in the present panel. */
+ImVec4 clipped(ImVec2 low, ImVec2 high);
+
+/** Records the label of the last widget, which is cut where the widget ends. */
+void record_label(const char *label);
+
+/** @return The size of a text. @param width Width of lines; 0: they are not broken. */
+ImVec2 text_extent(const char *text, float width);
+
+/** Writes a text. @param width See #text_extent. @return Its size. */
+ImVec2 put_text(ImDrawList *list, ImVec2 corner, float width, ImU32 color, const char *text);
+
+/** Writes a text into the present panel. @param width See #text_extent. @return Its size. */
+ImVec2 put_text(ImVec2 corner, float width, ImU32 color, const char *text);
+
+/** @return What can be seen of a text on the picture: what is in the window. */
+ImVec4 display_clip();
+
+/** Begins a window without a frame of its own. */
+void begin_window(const char *id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags);
+
+/** @return A colour that is darker. */
+ImU32 darker(ImU32 color);
+
+/** Places the next widget of the bar: in the line, or in the next one where it is too wide. */
+void place_in_bar(float width);
+
+/** @return Width of a button with a label. */
+float button_width(const char *label);
+
+/** A button with a tooltip. @param is_marked Whether its words stand out. @return Whether it was
+ *  clicked. */
+bool push_button(const char *label, const char *tooltip, bool is_marked);
+
+/** Draws a line with an outline. */
+void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, float width);
+
+#endif

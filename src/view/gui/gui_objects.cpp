@@ -1,0 +1,213 @@
+/**
+ * @file
+ * @brief Objects: the inspector, outlines, and marks of lights.
+ */
+#include "view/gui/gui_internal.h"
+
+namespace {
+
+/** Radius of the mark of a light, in heights of letters. */
+constexpr float LIGHT_RADIUS = 0.4F;
+/** Rays of the mark of a light. */
+constexpr int LIGHT_RAYS = 8;
+/** Width of the inspector of objects, in heights of letters. */
+constexpr float INSPECTOR_WIDTH = 15;
+/** Width of a widget in it, in heights of letters. */
+constexpr float INSPECTOR_WIDGET_WIDTH = 8;
+/** How much a pixel of a drag changes the brightness of a colour. */
+constexpr float COLOR_DRAG = 0.01F;
+/** Colours are rounded to this fraction of 1. */
+constexpr double COLOR_GRAINS = 10000;
+/** Bytes of the inspector's title with the final zero. */
+constexpr size_t INSPECTOR_TITLE_SIZE = 256;
+/** Length of an arrow to a light outside the picture, in heights of letters. */
+constexpr float ARROW_LENGTH = 1.2F;
+
+/** @return A channel encoded with the curve of sRGB, which goes on above 1. */
+double srgb_encode(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+/** @return A channel in linear light. */
+double srgb_decode(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/** @return A channel rounded to a fraction of a step of 255: it is short in a file. */
+double round_color(double linear) {
+    return round(linear * COLOR_GRAINS) / COLOR_GRAINS;
+}
+
+/** A slider from 0 to 1, or a number that is dragged if it may be larger. @return Whether the user
+ *  has changed it. */
+bool drag_or_slide(const char *id, double *number, double high) {
+    const double low = 0;
+    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high, "%.3f",
+                                           ImGuiSliderFlags_AlwaysClamp)
+                     : ImGui::DragScalar(id, ImGuiDataType_Double, number, COLOR_DRAG, &low, &high,
+                                         "%.3f", ImGuiSliderFlags_AlwaysClamp);
+}
+
+/** Writes a name with an outline. @param center Middle of its upper edge. */
+void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
+    ImVec2 size = ImGui::CalcTextSize(name);
+    ImVec2 display = ImGui::GetIO().DisplaySize;
+    float left = fminf(fmaxf(center.x - size.x / 2, 0), fmaxf(display.x - size.x, 0));
+    float top = fminf(fmaxf(center.y, 0), fmaxf(display.y - size.y, 0));
+    list->AddText(ImVec2(left + 1, top + 1), OUTLINE, name);
+    list->AddText(ImVec2(left, top), TEXT, name);
+    record_text(name, ImVec2(left, top), ImVec2(left + size.x, top + size.y), display_clip(),
+                ImGui::GetFontSize());
+}
+
+} // namespace
+
+extern "C" {
+
+void gui_mark_light(GuiPoint center, const char *name, bool is_selected) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float radius = LIGHT_RADIUS * ImGui::GetFontSize(), width = is_selected ? 2.5F : 1.5F;
+    ImU32 color = is_selected ? ACCENT : TEXT;
+    ImVec2 middle(center.x, center.y);
+    for (int i = 0; i < LIGHT_RAYS; i++) {
+        float angle = static_cast<float>(i) * 2 * static_cast<float>(M_PI) / LIGHT_RAYS;
+        ImVec2 direction(cosf(angle), sinf(angle));
+        draw_outlined_line(
+            list,
+            ImVec2(middle.x + 1.4F * radius * direction.x, middle.y + 1.4F * radius * direction.y),
+            ImVec2(middle.x + 2 * radius * direction.x, middle.y + 2 * radius * direction.y), color,
+            width);
+    }
+    list->AddCircleFilled(middle, radius + 1, OUTLINE);
+    list->AddCircleFilled(middle, radius, color);
+    draw_name(list, ImVec2(middle.x, middle.y + 2.2F * radius), name);
+}
+
+void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float length = ARROW_LENGTH * ImGui::GetFontSize(), half = length / 3;
+    ImVec2 end(tip.x, tip.y);
+    ImVec2 start(tip.x - length * direction.x, tip.y - length * direction.y);
+    ImVec2 left(start.x - half * direction.y, start.y + half * direction.x);
+    ImVec2 right(start.x + half * direction.y, start.y - half * direction.x);
+    list->AddTriangleFilled(end, left, right, is_selected ? ACCENT : TEXT);
+    list->AddTriangle(end, left, right, OUTLINE, 1.5F);
+    draw_name(list,
+              ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
+              name);
+}
+
+bool gui_inspector_begin(const char *id, const char *title, float top) {
+    const ImGuiIO &io = ImGui::GetIO();
+    float size = ImGui::GetFontSize(), width = fminf(INSPECTOR_WIDTH * size, io.DisplaySize.x);
+    char label[INSPECTOR_TITLE_SIZE];
+    bool is_open = true;
+    snprintf(label, sizeof label, "%s###%s", title, id);
+    ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
+                                        ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    ImGui::Begin(label, &is_open,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    // The window may have become smaller, or the letters larger.
+    ImVec2 corner = ImGui::GetWindowPos();
+    ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
+                               fmaxf(0, fminf(corner.y, io.DisplaySize.y - 2 * size))));
+    ImGui::PushItemWidth(INSPECTOR_WIDGET_WIDTH * size);
+    return is_open;
+}
+
+void gui_inspector_end() {
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+bool gui_inspector_section(const char *label, bool is_open_at_first) {
+    return ImGui::CollapsingHeader(label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen
+                                                           : ImGuiTreeNodeFlags_None);
+}
+
+bool gui_inspector_button(const char *label, const char *tooltip) {
+    if (ImGui::GetCurrentWindow()->DC.CursorPosPrevLine.x >
+        ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x) {
+        place_in_bar(button_width(label));
+    }
+    return push_button(label, tooltip, false);
+}
+
+bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,
+                      double speed, const char *tooltip) {
+    bool is_changed =
+        ImGui::DragScalarN(label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed),
+                           &low, &high, count > 1 ? "%.3g" : "%.4g",
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+    show_tooltip(tooltip);
+    return is_changed;
+}
+
+bool gui_edit_slider(const char *label, double *number, double low, double high,
+                     const char *tooltip) {
+    bool is_changed = ImGui::SliderScalar(label, ImGuiDataType_Double, number, &low, &high, "%.3f",
+                                          ImGuiSliderFlags_AlwaysClamp);
+    show_tooltip(tooltip);
+    return is_changed;
+}
+
+bool gui_edit_color(const char *label, double rgb[3], double high, const char *tooltip) {
+    float encoded[3], swatch = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    double largest = fmax(rgb[0], fmax(rgb[1], rgb[2])), brightness = largest;
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - swatch - gap);
+    bool is_scaled = drag_or_slide("##brightness", &brightness, high);
+    for (int i = 0; is_scaled && i < 3; i++) {
+        rgb[i] = round_color(largest > 0 ? rgb[i] / largest * brightness : brightness);
+    }
+    show_tooltip(tooltip);
+    for (int i = 0; i < 3; i++) {
+        encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
+    }
+    ImGui::SameLine(0, gap);
+    bool is_picked = ImGui::ColorEdit3(
+        "##color", encoded,
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
+            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs);
+    for (int i = 0; is_picked && i < 3; i++) {
+        rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
+    }
+    show_tooltip(tooltip);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(label);
+    ImGui::PopID();
+    return is_scaled || is_picked;
+}
+
+bool gui_edit_check(const char *label, double *number, const char *tooltip) {
+    bool is_on = *number != 0;
+    bool is_changed = ImGui::Checkbox(label, &is_on);
+    *number = is_on ? 1 : 0;
+    show_tooltip(tooltip);
+    return is_changed;
+}
+
+bool gui_edit_choice(const char *label, double *number, const char *const *words,
+                     const char *tooltip) {
+    int count = 0, chosen = static_cast<int>(*number);
+    while (words[count]) {
+        count++;
+    }
+    bool is_changed = ImGui::Combo(label, &chosen, words, count);
+    *number = chosen;
+    show_tooltip(tooltip);
+    return is_changed;
+}
+
+bool gui_is_editing() {
+    return ImGui::IsAnyItemActive();
+}
+
+void gui_outline_line(GuiPoint from, GuiPoint to) {
+    draw_outlined_line(ImGui::GetBackgroundDrawList(), ImVec2(from.x, from.y), ImVec2(to.x, to.y),
+                       ACCENT, 1.5F);
+}
+
+} // extern "C"

@@ -1,0 +1,92 @@
+/**
+ * @file
+ * @brief Lists of rays, and rays on the picture.
+ */
+#include "view/gui/gui_internal.h"
+
+namespace {
+
+/** Space beside the text of a label, in heights of letters. */
+constexpr float LABEL_PADDING = 0.12F;
+/** Width of a ray in flight, in heights of letters. */
+constexpr float FLIGHT_WIDTH = 0.22F;
+/** Step by which rows of a list are moved to the right, in heights of letters. */
+constexpr float ROW_INDENT = 0.7F;
+
+} // namespace
+
+extern "C" {
+
+void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size) {
+    begin_window(id, ImVec2(corner.x, corner.y), ImVec2(size.x, size.y),
+                 ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+void gui_list_text(const char *label, const char *text) {
+    if (label[0] != '\0') {
+        gui_paragraph(label, GUI_COLOR_ACCENT, 1);
+        float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
+        float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        if (left + ImGui::CalcTextSize(text).x <= right) {
+            ImGui::SameLine();
+        }
+    }
+    gui_paragraph(text, GUI_COLOR_TEXT, 1);
+}
+
+bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
+                  bool is_selected, bool is_revealed) {
+    const float size = ImGui::GetFontSize(), left = ROW_INDENT * size * static_cast<float>(indent);
+    ImGui::PushID(number);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    bool is_clicked = ImGui::Selectable("##row", is_selected, 0, ImVec2(0, size));
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImVec2 low(corner.x + left, corner.y + 0.2F * size);
+    list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
+    put_text(ImVec2(low.x + size, corner.y), 0, is_selected ? ACCENT : TEXT, text);
+    if (is_revealed) {
+        ImGui::SetScrollHereY();
+    }
+    if (left + size + ImGui::CalcTextSize(text).x > ImGui::GetContentRegionAvail().x) {
+        show_tooltip(text);
+    }
+    ImGui::PopID();
+    return is_clicked;
+}
+
+bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip,
+                    bool is_on) {
+    place_in_bar(button_width(label) + ImGui::GetFrameHeight());
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    bool is_clicked = ImGui::Checkbox(label, &is_on);
+    ImGui::PopStyleColor();
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+void gui_label(const char *text, GuiPoint anchor, GuiPoint corner, bool is_bright) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 size = ImGui::CalcTextSize(text), low(corner.x, corner.y);
+    float gap = LABEL_PADDING * size.y;
+    ImVec2 high(low.x + size.x + gap, low.y + size.y);
+    draw_outlined_line(list, ImVec2(anchor.x, anchor.y),
+                       ImVec2(low.x + size.x / 2, low.y + size.y / 2), is_bright ? ACCENT : TEXT,
+                       1);
+    list->AddRectFilled(ImVec2(low.x - gap, low.y), high, is_bright ? ACCENT : OUTLINE,
+                        ROUNDING * size.y);
+    put_text(list, low, 0, is_bright ? IM_COL32_BLACK : TEXT, text);
+}
+
+void gui_flight(GuiPoint from, GuiPoint to, const unsigned char rgb[3]) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const float width = FLIGHT_WIDTH * ImGui::GetFontSize();
+    ImVec2 start(from.x, from.y), end(to.x, to.y);
+    list->AddLine(start, end, TEXT, 2 * width);
+    list->AddLine(start, end, IM_COL32(rgb[0], rgb[1], rgb[2], 255), width);
+    list->AddCircleFilled(end, 2 * width, OUTLINE);
+    list->AddCircleFilled(end, 1.6F * width, ACCENT);
+}
+
+} // extern "C"

@@ -1,0 +1,133 @@
+/**
+ * @file
+ * @brief The bar.
+ */
+#include "view/gui/gui_internal.h"
+
+namespace {
+
+/** Width of a slider, in heights of letters. */
+constexpr float SLIDER_WIDTH = 7;
+
+} // namespace
+
+void place_in_bar(float width) {
+    float next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+    if (next < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
+        ImGui::SameLine();
+    }
+}
+
+float button_width(const char *label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+bool push_button(const char *label, const char *tooltip, bool is_marked) {
+    if (is_marked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
+    }
+    bool is_clicked = ImGui::Button(label);
+    if (is_marked) {
+        ImGui::PopStyleColor();
+    }
+    record_label(label);
+    show_tooltip(tooltip);
+    return is_clicked;
+}
+
+extern "C" {
+
+void gui_bar_begin(bool is_folded) {
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImVec2(is_folded ? 0 : ImGui::GetIO().DisplaySize.x, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::Begin("bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    ImGui::Dummy(ImVec2(0, 0));
+}
+
+float gui_bar_end() {
+    float height = ImGui::GetWindowHeight();
+    ImGui::End();
+    return height;
+}
+
+bool gui_button(const char *label, const char *tooltip, bool is_on) {
+    place_in_bar(button_width(label));
+    return push_button(label, tooltip, is_on);
+}
+
+int gui_choice(const char *id, const char *const *names, int count, int selected,
+               const char *tooltip) {
+    const char *shown = selected >= 0 && selected < count ? names[selected] : "";
+    int chosen = -1;
+    float width = 0;
+    for (int i = 0; i < count; i++) {
+        width = fmaxf(width, button_width(names[i]));
+    }
+    place_in_bar(width);
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##list", shown,
+                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
+        if (ImGui::IsWindowAppearing()) {
+            gui_request_frames(current_gui()); // The list finds its size.
+        }
+        for (int i = 0; i < count; i++) {
+            if (ImGui::Selectable(names[i], i == selected) && i != selected) {
+                chosen = i;
+            }
+        }
+        ImGui::EndCombo();
+    } else {
+        record_label(shown);
+        show_tooltip(tooltip);
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
+int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    int step = 0;
+    float width = ImGui::CalcTextSize(widest).x;
+    place_in_bar(button_width("−") + button_width("+") + width + 2 * gap);
+    ImGui::PushID(id);
+    ImGui::BeginGroup();
+    step -= ImGui::Button("−") ? 1 : 0;
+    ImGui::SameLine(0, gap);
+    ImGui::AlignTextToFramePadding();
+    float left = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(text);
+    record_label(text);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + width + gap);
+    step += ImGui::Button("+") ? 1 : 0;
+    ImGui::EndGroup();
+    show_tooltip(tooltip);
+    ImGui::PopID();
+    return step;
+}
+
+bool gui_log_slider(const char *id, double *value, double low, double high, const char *text,
+                    const char *tooltip) {
+    float width = SLIDER_WIDTH * ImGui::GetFontSize();
+    // Dear ImGui's own logarithmic scale ends at the precision of the text: 0.1 for one digit.
+    double exponent = log10(*value), least = log10(low), most = log10(high);
+    place_in_bar(width);
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(width);
+    bool is_changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &exponent, &least,
+                                          &most, text, ImGuiSliderFlags_NoInput);
+    if (is_changed) {
+        *value = pow(10, exponent);
+    }
+    record_label(text);
+    show_tooltip(tooltip);
+    ImGui::PopID();
+    return is_changed;
+}
+
+} // extern "C"

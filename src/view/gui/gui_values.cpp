@@ -1,0 +1,188 @@
+/**
+ * @file
+ * @brief Values on the picture: legends, the magnifier, the value of a pixel, progress.
+ */
+#include "view/gui/gui_internal.h"
+
+namespace {
+
+/** Width at which notes of a legend are broken into lines, in heights of letters. */
+constexpr float LEGEND_NOTE_WIDTH = 11;
+/** Height of the bar of a legend, in heights of letters. */
+constexpr float LEGEND_BAR_LINES = 11;
+/** Height of a bar of progress, in heights of letters. */
+constexpr float PROGRESS_HEIGHT = 0.3F;
+
+/** What the parts of a legend measure, pixels of the window. */
+struct LegendLayout {
+    float line;  /**< Height of a line. */
+    float gap;   /**< Distance of parts, and from the edge. */
+    float bar;   /**< Height of the bar; 0: none. */
+    float width; /**< Width of the contents. */
+    float notes; /**< Height of the notes. */
+    int apart;   /**< Colours that are not on the bar. */
+};
+
+/** @return The layout of a legend. @param highest See #gui_legend. */
+LegendLayout legend_layout(const GuiLegend *legend, float highest) {
+    LegendLayout layout = {ImGui::GetFontSize(), PADDING * ImGui::GetFontSize(), 0, 0, 0, 0};
+    const float swatch = 2 * layout.line + layout.gap;
+    layout.width = fmaxf(ImGui::CalcTextSize(legend->title).x, ImGui::CalcTextSize(legend->unit).x);
+    for (int i = 0; i < legend->swatch_count; i++) {
+        layout.apart += legend->swatches[i].position < 0;
+        layout.width =
+            fmaxf(layout.width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        float note =
+            fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
+        layout.width = fmaxf(layout.width, note);
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        layout.notes += text_extent(legend->notes[i], layout.width).y + layout.gap / 2;
+    }
+    if (legend->bar_count > 0) {
+        float lines = static_cast<float>(layout.apart) + 1 + (legend->unit[0] != '\0' ? 1 : 0);
+        float rest = highest - lines * layout.line - layout.notes - 5 * layout.gap;
+        layout.bar = fmaxf(fminf(LEGEND_BAR_LINES * layout.line, rest), 2 * layout.line);
+    }
+    return layout;
+}
+
+/** Draws the bar of a legend with its ticks. Numbers that would overlap are left out. @param low
+ *  Its upper left corner. */
+void draw_legend_bar(ImDrawList *list, const GuiLegend *legend, const LegendLayout &layout,
+                     ImVec2 low) {
+    const float width = layout.line, top = low.y + layout.line / 2;
+    const float height = layout.bar - layout.line;
+    float last = low.y - layout.line;
+    for (int i = 0; i + 1 < legend->bar_count; i++) {
+        const unsigned char *below = legend->bar[i], *above = legend->bar[i + 1];
+        ImU32 dark = IM_COL32(below[0], below[1], below[2], 255);
+        ImU32 light = IM_COL32(above[0], above[1], above[2], 255);
+        float count = static_cast<float>(legend->bar_count - 1);
+        float from = top + height * (1 - static_cast<float>(i + 1) / count);
+        float to = top + height * (1 - static_cast<float>(i) / count);
+        list->AddRectFilledMultiColor(ImVec2(low.x, from), ImVec2(low.x + width, to), light, light,
+                                      dark, dark);
+    }
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &tick = legend->swatches[i];
+        float y = top + height * (1 - tick.position);
+        if (tick.position < 0) {
+            continue;
+        }
+        list->AddLine(ImVec2(low.x + width, y), ImVec2(low.x + 1.5F * width, y), TEXT, 1.5F);
+        if (y - layout.line / 2 >= last + layout.line) {
+            last = y - layout.line / 2;
+            put_text(list, ImVec2(low.x + 2 * layout.line + layout.gap, last), 0, TEXT, tick.text);
+        }
+    }
+}
+
+} // namespace
+
+extern "C" {
+
+float gui_readout_height() {
+    return (1 + 2 * PADDING) * ImGui::GetFontSize();
+}
+
+void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float size = ImGui::GetFontSize(), gap = PADDING * size;
+    float widest = ImGui::GetIO().DisplaySize.x - corner.x - 2 * size - 3 * gap;
+    ImVec2 area = text_extent(text, widest);
+    ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
+    ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
+                        ImVec2(low.x + gap + 2 * size, high.y - gap),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    put_text(list, ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), widest, TEXT, text);
+}
+
+void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    LegendLayout layout = legend_layout(legend, highest);
+    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
+    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
+    float width = layout.width + 2 * layout.gap;
+    ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
+    list->AddRectFilled(low, ImVec2(low.x + width, corner.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
+                        ROUNDING * layout.line);
+    ImVec2 at(low.x + layout.gap, low.y + layout.gap);
+    put_text(list, at, 0, ACCENT, legend->title);
+    at.y += layout.line;
+    if (legend->unit[0] != '\0') {
+        put_text(list, at, 0, TEXT, legend->unit);
+        at.y += layout.line;
+    }
+    at.y += layout.gap;
+    if (legend->bar_count > 0) {
+        draw_legend_bar(list, legend, layout, at);
+        at.y += layout.bar + layout.gap;
+    }
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &swatch = legend->swatches[i];
+        if (swatch.position < 0) {
+            const float edge = layout.line / 8;
+            list->AddRectFilled(ImVec2(at.x, at.y + edge),
+                                ImVec2(at.x + 2 * layout.line, at.y + layout.line - edge),
+                                IM_COL32(swatch.rgb[0], swatch.rgb[1], swatch.rgb[2], 255));
+            put_text(list, ImVec2(at.x + 2 * layout.line + layout.gap, at.y), 0, TEXT, swatch.text);
+            at.y += layout.line;
+        }
+    }
+    for (int i = 0; i < legend->note_count; i++) {
+        at.y += put_text(list, at, layout.width, TEXT, legend->notes[i]).y + layout.gap / 2;
+    }
+}
+
+void gui_ring(GuiPoint center, float radius) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    ImVec2 middle(center.x, center.y);
+    list->AddCircle(middle, radius, OUTLINE, 0, 5);
+    list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
+}
+
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize(), gap = PADDING * line;
+    const float columns = static_cast<float>(pixels->columns);
+    const float rows = static_cast<float>(pixels->rows);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
+    float height = cell * rows + line + 3 * gap;
+    float left =
+        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
+    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
+    list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
+                        ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
+    ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);
+    for (int i = 0; i < pixels->columns * pixels->rows; i++) {
+        const unsigned char *rgb = pixels->rgb + 3 * i;
+        ImVec2 corner(at.x + cell * static_cast<float>(i % pixels->columns),
+                      at.y + cell * static_cast<float>(i / pixels->columns));
+        list->AddRectFilled(corner, ImVec2(corner.x + cell - 1, corner.y + cell - 1),
+                            IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    }
+    ImVec2 middle(at.x + cell * floorf(columns / 2), at.y + cell * floorf(rows / 2));
+    list->AddRect(ImVec2(middle.x - 2, middle.y - 2),
+                  ImVec2(middle.x + cell + 1, middle.y + cell + 1), OUTLINE, 0, 0, 4);
+    list->AddRect(ImVec2(middle.x - 1, middle.y - 1), ImVec2(middle.x + cell, middle.y + cell),
+                  ACCENT, 0, 0, 2);
+    put_text(list, ImVec2(low.x + gap, at.y + cell * rows + gap), 0, TEXT, pixels->caption);
+}
+
+void gui_progress_bar(GuiPoint corner, float width, float fraction) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    float height = PROGRESS_HEIGHT * ImGui::GetFontSize();
+    ImVec2 low(corner.x, corner.y - height), high(corner.x + width, corner.y);
+    list->AddRectFilled(low, high, OUTLINE);
+    list->AddRectFilled(low, ImVec2(corner.x + width * fraction, corner.y), ACCENT);
+}
+
+} // extern "C"

@@ -540,6 +540,30 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
+/** The speed of keys follows the scene's size, but an unset one the camera's distance. */
+static void test_move_speed(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    assert_near(view_state_move_speed(scene), 5); // A lamp alone has no size.
+    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
+    light.position = (Vec3d){0, 1.9, 4};
+    assert_true(scene_add_light(scene, &light, NULL));
+    assert_near(view_state_move_speed(scene), 1);
+    ViewState home_view;
+    assert_true(view_state_init(&home_view, scene, NULL));
+    view_state_move(&home_view, scene, 0, (Movement){.up = 0.5}, (Movement){.right = 2},
+                    MOTION_FLY);
+    assert_point(scene->lights[0].position, 0, 1.9 + 0.5, 0);
+    assert_point(scene->camera.position, 0, 0, 2);
+    home_view.move_speed = 0;
+    view_state_move(&home_view, scene, 0, (Movement){.up = 0.5}, (Movement){0}, MOTION_FLY);
+    assert_point(scene->lights[0].position, 0, 1.9 + 0.5 + 2.5, 0);
+    view_state_deinit(&home_view);
+    scene->lights[1].position.z = 1000; // Half the distance to what the camera looks at.
+    assert_near(view_state_move_speed(scene), 5);
+    scene_destroy(scene);
+}
+
 /** What was moved is put back; what was not is as the scene has it now, which may be another time.
  */
 static void test_restored_view(void **state) {
@@ -1194,6 +1218,7 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_move_speed),
         cmocka_unit_test(test_restored_view),
         cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),

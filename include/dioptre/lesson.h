@@ -84,22 +84,24 @@ typedef struct LessonStep {
                  top; pixels down; scene units along y. */
     double z; /**< Scene units along z, of #LESSON_DRAG and #LESSON_MOVE. With #x and #y the
                  numbers of #LESSON_SET. */
-    int keyword;    /**< Keyword of the object, see SceneOverride::keyword. */
-    int row;        /**< Field of #LESSON_SET, see SceneOverride::row. */
-    bool continues; /**< Whether undo takes the step before it back, too. */
+    int keyword;           /**< Keyword of the object, see SceneOverride::keyword. */
+    int row;               /**< Field of #LESSON_SET, see SceneOverride::row. */
+    bool continues;        /**< Whether undo takes the step before it back, too. */
     LessonText text;       /**< Text of a caption. */
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;
 
 /** Render settings at the beginning; unset values are those of command line and scene. */
 typedef struct LessonSettings {
-    int samples;        /**< Samples per pixel; 0: unset. */
-    int depth;          /**< Depth of reflections and refractions; -1: unset. */
-    int offset;         /**< An #OffsetStrategy; -1: unset. */
-    double epsilon;     /**< Scene units; negative: unset. */
-    int width;          /**< Width of the window, screen units; 0: unset. */
-    int height;         /**< Height of the window, screen units; 0: unset. */
-    double time;        /**< The scene's `t`, seconds. */
+    int samples;       /**< Samples per pixel; 0: unset. */
+    int depth;         /**< Depth of reflections and refractions; -1: unset. */
+    int offset;        /**< An #OffsetStrategy; -1: unset. */
+    double epsilon;    /**< Scene units; negative: unset. */
+    int width;         /**< Width of the window, screen units; 0: unset. */
+    int height;        /**< Height of the window, screen units; 0: unset. */
+    double time;       /**< The scene's `t`, seconds. */
+    double move_speed; /**< Scene units per second of a held key; 0: unset, half the distance to the
+                            camera's target. */
     const char *engine; /**< Name of the engine, owned by the lesson; NULL: unset. */
 } LessonSettings;
 

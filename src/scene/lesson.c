@@ -127,7 +127,8 @@ static bool check_settings(const Lesson *lesson) {
            check_setting(settings->width, 0, IMAGE_SIZE_MAXIMUM) &&
            check_setting(settings->height, 0, IMAGE_SIZE_MAXIMUM) &&
            fabs(settings->epsilon) <= LENGTH_MAXIMUM &&
-           fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
+           fabs(settings->time) <= TIME_VALUE_MAXIMUM && settings->move_speed >= 0 &&
+           settings->move_speed <= LENGTH_MAXIMUM && check_text(lesson, settings->engine);
 }
 
 /** @return Whether a question is valid. */

@@ -96,6 +96,7 @@ static void begin_lesson(App *app, const Lesson *lesson, Lesson *owned, const ch
     *player = (Player){.lesson = lesson, .owned = owned, .initial_time = app->scene_time};
     SDL_strlcpy(player->path, path, sizeof player->path);
     scene_name_from_path(path, player->name, sizeof player->name);
+    app->home_view.move_speed = lesson->initial_settings.move_speed;
     rewind_lesson(app);
     window_end_hint(&app->window);
     update_panel(app);
@@ -114,6 +115,7 @@ void player_end(App *app) {
         timeline_pause(&app->timeline, app_clock(app));
     }
     if (player->lesson) {
+        app->home_view.move_speed = view_state_move_speed(app->scene);
         Lesson *owned = player->owned;
         *player = (Player){0};
         update_panel(app);

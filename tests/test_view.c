@@ -540,6 +540,30 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
+/** @return Where a point lies in the picture: right, up and ahead of the camera. */
+static Vec3d in_picture(const SceneCamera *camera, Vec3d point) {
+    Vec3d offset = vec3d_subtract(point, camera->position);
+    return (Vec3d){vec3d_dot(offset, scene_camera_right(camera)), vec3d_dot(offset, camera->up),
+                   vec3d_dot(offset, camera->direction)};
+}
+
+/** A camera that orbits keeps its point at its pixel and distance. */
+static void test_orbit(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    SceneCamera *camera = &scene->camera;
+    const Vec3d up = {0, 1, 0}, center = {8, 1, -2};
+    const Vec3d before = in_picture(camera, center);
+    scene_camera_orbit(camera, up, center, 30, -20);
+    Vec3d after = in_picture(camera, center);
+    assert_point(after, before.x, before.y, before.z);
+    assert_true(vec3d_length(camera->position) > 1);
+    assert_true(camera->position.y > 1 && camera->direction.y < 0);
+    scene_camera_orbit(camera, up, (Vec3d){8, 0, 0}, 0, -1000);
+    assert_true(fabs(camera->direction.y) < 1);
+    scene_destroy(scene);
+}
+
 /** The speed of keys follows the scene's size, but an unset one the camera's distance. */
 static void test_move_speed(void **state) {
     (void)state;
@@ -1219,6 +1243,7 @@ int main(void) {
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
         cmocka_unit_test(test_move_speed),
+        cmocka_unit_test(test_orbit),
         cmocka_unit_test(test_restored_view),
         cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),

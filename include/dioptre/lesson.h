@@ -43,6 +43,8 @@ typedef enum {
     LESSON_RELEASE, /**< The key of a move goes up. */
     LESSON_SPEED,   /**< The speed of moves changes: Shift, Ctrl. */
     LESSON_TURN,    /**< The camera rotates: the mouse is dragged. */
+    LESSON_ORBIT,   /**< The camera rotates around a point: the right button is held. */
+    LESSON_PAN,     /**< The camera moves in the plane of its picture: the middle one is held. */
     LESSON_ZOOM,    /**< The field of view changes: the wheel. */
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
@@ -78,12 +80,13 @@ typedef struct LessonStep {
                    object of #LESSON_SELECT, #LESSON_SET and #LESSON_MOVE, see
                    SceneOverride::number; 0: none. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
-                 fraction of the picture's width; pixels to the right; scene units along x.
-                 -1 for #LESSON_SELECT without a pixel. */
+                 fraction of the picture's width; pixels to the right; scene units along x, or to
+                 the right for #LESSON_PAN. -1 for #LESSON_SELECT without a pixel. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
                  top; pixels down; scene units along y. */
     double z; /**< Scene units along z, of #LESSON_DRAG and #LESSON_MOVE. With #x and #y the
                  numbers of #LESSON_SET. */
+    double center[3];      /**< The point of #LESSON_ORBIT, scene units. */
     int keyword;           /**< Keyword of the object, see SceneOverride::keyword. */
     int row;               /**< Field of #LESSON_SET, see SceneOverride::row. */
     bool continues;        /**< Whether undo takes the step before it back, too. */

@@ -302,6 +302,13 @@ static void do_step(App *app, const LessonStep *step) {
     case LESSON_TURN:
         app_turn(app, step->x, step->y);
         break;
+    case LESSON_ORBIT:
+        app_orbit(app, step->x, step->y,
+                  (Vec3d){step->center[0], step->center[1], step->center[2]});
+        break;
+    case LESSON_PAN:
+        app_pan(app, step->x, step->y);
+        break;
     case LESSON_ZOOM:
         app_zoom(app, step->x);
         break;

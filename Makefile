@@ -184,6 +184,8 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
 COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
+WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
+WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
 .PHONY: packages test-packages
@@ -203,6 +205,20 @@ run: packages
 	    $(PROGRAM) render scenes/box.lua -o box.bmp && \
 	    echo "There is no display: the box is in box.bmp."; \
 	fi
+
+# --- the page ------------------------------------------------------------------------------------
+# The program for a browser, in build/web. What is fetched and compiled is kept in build/web-work.
+.PHONY: web test-web
+web:
+	@.ci/packages $(WEB_PACKAGES)
+	@.ci/sources build/web-work/sources $(WEB_LIBRARY_SOURCES)
+	@$(MAKE) --no-print-directory -j$$(nproc) -f src/web/Makefile page
+# In a real browser, against the pictures of the desktop's program.
+test-web: web packages
+	@.ci/packages chromium
+	@command -v npm >/dev/null || .ci/packages npm
+	@$(MAKE) --no-print-directory -j$$(nproc) all
+	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
 
 # --- other builds --------------------------------------------------------------------------------
 # With the engines that tests ask them for: of each number type and width one.

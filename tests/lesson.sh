@@ -226,7 +226,7 @@ leave
 expect 1 'cannot write' 'a folder that is not there' timeout 60 "$dioptre" view --lesson "$work/lesson.lua" --lesson-snapshots "$work/nowhere"
 
 # --- recorded --------------------------------------------------------------------------------------
-open "$box" --samples 1
+cp "$box" "$work" && open "$work/box.lua" --samples 1
 echo 'not yours' >"$work/shots/box-lesson-0001.lua"
 shown finished 'a window to record in'
 xdotool keydown Left && sleep 0.1 && xdotool keyup Left # Before it begins: not in the lesson.

@@ -867,6 +867,8 @@ bool scene_has_specular(const Scene *scene);
  * Bytes reserved for the block of a scene; the system provides memory only where it is filled. It
  * holds a million spheres, and limits scene files that never stop.
  */
+#ifndef SCENE_MEMORY_SIZE // A page has less: src/web/memory.h.
 #define SCENE_MEMORY_SIZE ((size_t)256 << 20)
+#endif
 
 #endif

@@ -15,7 +15,9 @@
 #define SCRIPT_TIME_LIMIT 10.0
 
 /** Memory limit of a scene file, bytes of its Lua data. */
+#ifndef SCRIPT_MEMORY_LIMIT // A page has less: src/web/memory.h.
 #define SCRIPT_MEMORY_LIMIT ((size_t)256 << 20)
+#endif
 
 /**
  * The cache of a scene file: its text, and the meshes and textures of its last load. When the file

@@ -27,13 +27,13 @@ static void *allocate(void *context, void *block, size_t old_size, size_t new_si
     ScriptSandbox *sandbox = context;
     size_t old = block ? old_size : 0;
     if (new_size == 0) {
-        free(block);
+        worker_job_resize(block, 0);
         sandbox->memory_used -= old;
         return NULL;
     }
     bool is_over_limit =
         new_size > old && new_size - old > sandbox->memory_limit - sandbox->memory_used;
-    void *memory = is_over_limit ? NULL : realloc(block, new_size);
+    void *memory = is_over_limit ? NULL : worker_job_resize(block, new_size);
     if (memory) {
         sandbox->memory_used = sandbox->memory_used - old + new_size;
     } else if (sandbox->lua) {
@@ -69,10 +69,12 @@ SourceLocation script_sandbox_location(lua_State *L) {
     return SOURCE_LOCATION_START;
 }
 
-/** Records the current line. See lua_Hook. @param L The state. @param event Unused. */
+/** Records the current line, and ends a run whose time has passed. See lua_Hook. @param L The
+ * state. @param event Unused. */
 static void location_hook(lua_State *L, lua_Debug *event) {
     (void)event;
     script_sandbox_of(L)->result->location = script_sandbox_location(L);
+    worker_job_check();
 }
 
 void script_sandbox_track_location(lua_State *L) {

@@ -212,6 +212,7 @@ static bool run_job(WorkerJob *job, ScriptRun *run, const Keyword *const *shape_
     }
     job->report = run->result;
     job->report_size = script_result_size(run->result);
+    job->owns_report = true;
     worker_job_ready();
     worker_enter_sandbox(head->memory_limit + SCRIPT_NATIVE_MEMORY_LIMIT);
     execute(run);

@@ -471,8 +471,9 @@ void window_show_widgets(Window *window) {
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, text_size(window));
     window->toolbar.height = 0;
-    // The button of a folded bar would cover what a lesson shows.
-    if (!window->is_presenting && !(window->toolbar.is_folded && window->lesson_panel.lesson)) {
+    // The button of a folded bar would cover the words of a lesson or of rays.
+    bool has_words = window->lesson_panel.lesson || window->ray_view.is_open;
+    if (!window->is_presenting && !(window->toolbar.is_folded && has_words)) {
         show_toolbar(window);
     }
     show_cursor(window);

@@ -15,7 +15,9 @@
 /** Limit of the data of the libraries for a picture of a scene, bytes. */
 #define TEXTURE_FILE_MEMORY_LIMIT ((size_t)2 << 30)
 /** Largest size of a decoded picture of a scene, bytes. */
+#ifndef TEXTURE_FILE_CAPACITY // A page has less: src/web/memory.h.
 #define TEXTURE_FILE_CAPACITY ((size_t)1 << 30)
+#endif
 
 /**
  * Checks the extension of a picture file; nothing is opened.

@@ -119,7 +119,7 @@ static bool make_block(WorkerJob *job, MeshBuilder *builder, Error *error) {
         mesh->repairs = counts.repairs;
         mesh_builder_copy(builder, mesh);
         job->block = mesh;
-        job->block_size = mesh_block_size(mesh);
+        job->block_size = job->block_capacity = mesh_block_size(mesh);
     }
     return mesh != NULL;
 }

@@ -12,7 +12,9 @@
 #define MESH_WORKER_TASK "model"
 
 /** Largest size of a mesh, bytes. */
+#ifndef MESH_CAPACITY // A page has less: src/web/memory.h.
 #define MESH_CAPACITY ((size_t)2 << 30)
+#endif
 
 /** Limit of the data of the library, bytes. */
 #define MESH_FILE_MEMORY_LIMIT ((size_t)2 << 30)

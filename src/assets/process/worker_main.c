@@ -11,6 +11,7 @@
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -150,6 +151,9 @@ _Noreturn void worker_main(char **argv, const WorkerTask *tasks) {
         current_job = NULL;
         send_answer(&job, WORKER_FRAME_RESULT);
         free(bytes);
+        if (job.owns_report) {
+            free((void *)(uintptr_t)job.report);
+        }
         if (job.block_capacity > 0) {
             munmap(job.block, job.block_capacity);
         }
@@ -172,6 +176,18 @@ void worker_job_ready(void) {
 void worker_job_progress(double fraction) {
     const WorkerFrame frame = {.kind = WORKER_FRAME_PROGRESS, .per_mille = (int)(1000 * fraction)};
     send_bytes(&frame, sizeof frame);
+}
+
+void worker_job_check(void) {
+    // The system counts the processor time, and ends this process: RLIMIT_CPU.
+}
+
+void *worker_job_resize(void *memory, size_t size) {
+    if (size == 0) {
+        free(memory);
+        return NULL;
+    }
+    return realloc(memory, size);
 }
 
 WorkerAnswer worker_job_ask(const void *question, size_t size) {

@@ -16,6 +16,7 @@ typedef struct WorkerJob {
     double time_limit;     /**< See #WorkerCall.time_limit. */
     const void *report;    /**< The report, sent at the end or at a fatal signal. */
     size_t report_size;    /**< Bytes of the report. */
+    bool owns_report;      /**< Whether the report is freed with `free` after it was sent. */
     void *block;           /**< The block; sent at the end. NULL: none. */
     size_t block_size;     /**< Bytes of the block. */
     size_t block_capacity; /**< Bytes to unmap after sending, by munmap; 0: none. */
@@ -46,6 +47,19 @@ void worker_job_ready(void);
 
 /** Sends the progress of a job. @param fraction 0 to 1. */
 void worker_job_progress(double fraction);
+
+/** Leaves the job if its time has passed, where no limit of the system ends it: in a page. To be
+ *  called often by whatever may run without end. */
+void worker_job_check(void);
+
+/**
+ * Allocates, resizes or frees memory that ends with the job at the latest, even if its task does
+ * not return.
+ * @param memory  The memory to resize or free; NULL: none.
+ * @param size    Its new size, bytes; 0 frees it.
+ * @return The memory; NULL if there is none, or it was freed.
+ */
+void *worker_job_resize(void *memory, size_t size);
 
 /**
  * Confines this process before it reads a stranger's bytes: limits of memory and time, and a filter

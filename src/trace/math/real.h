@@ -343,11 +343,15 @@ extern Quadruple sqrtf128(Quadruple x);
 
 /** @return The square root; NaN if x is negative. */
 INLINE real real_sqrt(real x) {
+#ifdef LANES_SQRT
+    return LANES_SQRT(x);
+#else
     real r = {0};
     for (int i = 0; i < LANES; i++) {
         real_set_lane(&r, i, SCALAR_SQRT(real_lane(x, i)));
     }
     return r;
+#endif
 }
 
 /* --- gather ---------------------------------------------------------------------------------- */

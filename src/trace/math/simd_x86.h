@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Processor instructions (intrinsics), the only ones in the program.
+ * @brief Processor instructions (intrinsics) of x86; those of WebAssembly are in simd_wasm.h.
  *
  * LANES_MIN and LANES_MAX are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
  * define them. For a macro that is not defined for an engine, real.h has a loop over the lanes.
@@ -15,7 +15,9 @@
 #include <emmintrin.h>
 #endif
 
-#if LANES == 16 && defined(__AVX512DQ__)
+#if LANES > 1 && defined(__wasm_simd128__)
+#include "trace/math/simd_wasm.h"
+#elif LANES == 16 && defined(__AVX512DQ__)
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm512_movepi32_mask((__m512i)(m))
 /** Bit i set where a <= b in lane i, by one instruction. */

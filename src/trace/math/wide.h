@@ -27,7 +27,9 @@ INLINE wide wide_of(wide_scalar x) {
 
 /** @return The same numbers, exactly. */
 INLINE wide widen(real x) {
-#if LANES > 1
+#if defined(LANES_WIDEN)
+    return LANES_WIDEN(x);
+#elif LANES > 1
     return __builtin_convertvector(x, wide);
 #else
     return (wide)x;
@@ -36,7 +38,9 @@ INLINE wide widen(real x) {
 
 /** @return The nearest numbers of the engine's type. */
 INLINE real narrow(wide x) {
-#if LANES > 1
+#if defined(LANES_NARROW)
+    return LANES_NARROW(x);
+#elif LANES > 1
     return __builtin_convertvector(x, real);
 #else
     return (real)x;
@@ -45,7 +49,9 @@ INLINE real narrow(wide x) {
 
 /** @return The same mask for #real numbers. */
 INLINE mask narrow_mask(wide_mask m) {
-#if LANES > 1
+#if defined(LANES_NARROW_MASK)
+    return LANES_NARROW_MASK(m);
+#elif LANES > 1
     return __builtin_convertvector(m, mask);
 #else
     return m;
@@ -144,7 +150,9 @@ INLINE wide wide_select(wide_mask m, wide a, wide b) {
 
 /** @return The square root; NaN if x is negative. */
 INLINE wide wide_sqrt(wide x) {
-#if LANES > 1
+#if defined(LANES_WIDE_SQRT)
+    return LANES_WIDE_SQRT(x);
+#elif LANES > 1
     wide r = {0};
     for (int i = 0; i < LANES; i++) {
         r[i] = WIDE_SQRT(x[i]);

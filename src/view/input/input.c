@@ -79,10 +79,12 @@ static bool is_question_mark(SDL_Keysym key) {
     return key.sym == SDLK_QUESTION || (is_place && key.mod & KMOD_SHIFT);
 }
 
-/** Handles the keys that all programs have: ?, Ctrl and a letter, Alt and Enter. @return Whether it
- *  is one of them; letters with Ctrl are no commands of the table. */
-static bool handle_common_key(App *app, SDL_Keysym key) {
-    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL;
+/** Handles the keys that all programs have: ?, Ctrl and a letter, Alt and Enter. @param command The
+ *  command of the key; NULL: none. @return Whether it is one of them: a letter with Ctrl is no
+ *  command that has the letter alone. */
+static bool handle_common_key(App *app, SDL_Keysym key, const Command *command) {
+    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL &&
+                     !(command && command->flags & COMMAND_CTRL);
     const char *name = NULL;
     if (key.sym == SDLK_RETURN && key.mod & KMOD_ALT) {
         name = "full screen";
@@ -104,7 +106,7 @@ static void on_key(App *app, const SDL_KeyboardEvent *key) {
     const Command *command =
         command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
     command = command && command->name ? in_ray_view(app, command) : NULL;
-    if (is_down && handle_common_key(app, key->keysym)) {
+    if (is_down && handle_common_key(app, key->keysym, command)) {
         return;
     }
     if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {

@@ -12,6 +12,7 @@
 #include "view/commands/edits.h"
 #include "view/lesson/answer_file.h"
 
+#include <libintl.h>
 #include <string.h>
 
 /* --- names for lessons ------------------------------------------------------------------------ */
@@ -632,7 +633,7 @@ static void show_refusal(App *app) {
                                         [PLAYER_ASKS] =
                                             N_("a lesson asks: press the number of your answer")};
     if (app->player.state <= PLAYER_ASKS) {
-        app_set_status(app, words[app->player.state]);
+        app_set_status(app, "%s", gettext(words[app->player.state]));
     }
 }
 

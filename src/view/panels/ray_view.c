@@ -51,6 +51,7 @@ static void set_pixel(RayView *ray_view, double x, double y) {
     ray_view->x = SDL_clamp(x, 0, last);
     ray_view->y = SDL_clamp(y, 0, last);
     ray_view->selected = 0;
+    ray_view->is_row_revealed = true;
     ray_view->flight_start = 0;
 }
 

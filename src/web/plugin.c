@@ -1,0 +1,25 @@
+/**
+ * @file
+ * @brief Modules of the page: they are linked. It stands in for assets/plugin.c.
+ */
+#include "assets/plugin.h"
+
+#include "assets/images/image_plugin.h"
+
+#include <string.h>
+
+/** Reads pictures, see image_plugin.c. */
+extern const ImagePlugin dioptre_image_plugin;
+
+const void *plugin_open(const Plugin *plugin, Error *error) {
+    if (strcmp(plugin->symbol, IMAGE_PLUGIN_SYMBOL) == 0) {
+        return &dioptre_image_plugin;
+    }
+    error_set(error, STATUS_SCENE, "in a page, models are read from .obj files only");
+    return NULL;
+}
+
+const void *plugin_open_from(const Plugin *plugin, const char *folder, Error *error) {
+    (void)folder;
+    return plugin_open(plugin, error);
+}

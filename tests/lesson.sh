@@ -41,6 +41,9 @@ wrong "lesson { scene = \"$box\", learnt = \"x\" }" '1: learnt must be a list, n
 wrong "lesson { scene = \"$box\", learnt = {1, 2, 3, 4, 5, 6, 7} }" '1: learnt must be a list of 0 to 6 texts, not of 7'
 wrong "$begin wiat(1)" '1: unknown word `wiat`; did you mean `wait`\?'
 wrong "$begin turn(1)" '1: it is called so: turn\(DEGREES_RIGHT, DEGREES_UP\)'
+wrong "$begin orbit(1, 2)" '1: it is called so: orbit\(DEGREES_RIGHT, DEGREES_UP, X, Y, Z\)'
+wrong "$begin pan(1)" '1: it is called so: pan\(RIGHT, UP\)'
+wrong "lesson { scene = \"$box\", move_speed = 0 }" '1: move_speed must be .*'
 wrong "$begin $begin" '1: a file holds one lesson, not two'
 wrong "$begin for i = 1, 70000 do wait(0.001) press \"home\" end" '1: a lesson may have at most 65536 steps'
 wrong "$begin pixel(0.5, 1.5)" '1: pixel must be at least 0 and at most 1, not 1.5'
@@ -238,7 +241,9 @@ xdotool key shift+Up && sleep 0.1
 xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove_relative 37 -21 mouseup 1 click 4
 xdotool key x && sleep 0.3
 xdotool mousemove --window "$window" 400 300 mousedown 1 mousemove --window "$window" 500 300 mouseup 1
-xdotool key BackSpace mousemove --window "$window" 410 320 click 1 && sleep 0.3
+xdotool key BackSpace && sleep 0.3
+xdotool mousemove --window "$window" 420 330 mousedown 3 mousemove_relative 25 -10 mouseup 3 mousedown 2 mousemove_relative 12 8 mouseup 2
+xdotool mousemove --window "$window" 410 320 click 1 && sleep 0.3
 xdotool key v && sleep 0.3
 xdotool key ctrl+Right && sleep 0.1 && xdotool key Escape
 xdotool key p && sleep 0.5 && xdotool key r
@@ -255,6 +260,9 @@ holds "$lesson" '^caption \{ en = "The \\"end\\"", wait = true \}$' 'a caption t
 holds "$lesson" '^  scene = "\.\./.*box.lua",$' 'the scene as seen from the lesson'
 holds "$lesson" '^snapshot\(\)$' 'a snapshot'
 holds "$lesson" '^turn\([0-9.-]+, [0-9.-]+\)$' 'the mouse'
+holds "$lesson" '^orbit\([0-9.-]+, [0-9.-]+, [0-9.e-]+, [0-9.e-]+, [0-9.e-]+\)$' 'the right button'
+holds "$lesson" '^pan\([0-9.-]+, [0-9.-]+\)$' 'the middle button'
+holds "$lesson" '^  move_speed = [0-9.]+,$' 'the speed of keys'
 holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'
 holds "$lesson" '^select\("[a-z]*", [0-9]*, 0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a thing'
 holds "$lesson" '^walk\(1, 0\)$' 'a step to the pixel beside'

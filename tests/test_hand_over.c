@@ -288,6 +288,10 @@ static void test_lessons(void **state) {
         }                                                                                          \
         memcpy(lesson, copy, sizeof *copy);                                                        \
     } while (0)
+    LESSON_REFUSED(lesson->steps[0].center[2], NAN);
+    LESSON_REFUSED(lesson->steps[0].center[0], -2 * LENGTH_MAXIMUM);
+    LESSON_REFUSED(lesson->initial_settings.move_speed, -1);
+    LESSON_REFUSED(lesson->initial_settings.move_speed, NAN);
     LESSON_REFUSED(lesson->count, LESSON_STEPS_MAXIMUM + 1);
     LESSON_REFUSED(lesson->count, SIZE_MAX);
     LESSON_REFUSED(lesson->text_used, SIZE_MAX);

@@ -540,6 +540,54 @@ static void test_view_state(void **state) {
     scene_destroy(scene);
 }
 
+/** @return Where a point lies in the picture: right, up and ahead of the camera. */
+static Vec3d in_picture(const SceneCamera *camera, Vec3d point) {
+    Vec3d offset = vec3d_subtract(point, camera->position);
+    return (Vec3d){vec3d_dot(offset, scene_camera_right(camera)), vec3d_dot(offset, camera->up),
+                   vec3d_dot(offset, camera->direction)};
+}
+
+/** A camera that orbits keeps its point at its pixel and distance. */
+static void test_orbit(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    SceneCamera *camera = &scene->camera;
+    const Vec3d up = {0, 1, 0}, center = {8, 1, -2};
+    const Vec3d before = in_picture(camera, center);
+    scene_camera_orbit(camera, up, center, 30, -20);
+    Vec3d after = in_picture(camera, center);
+    assert_point(after, before.x, before.y, before.z);
+    assert_true(vec3d_length(camera->position) > 1);
+    assert_true(camera->position.y > 1 && camera->direction.y < 0);
+    scene_camera_orbit(camera, up, (Vec3d){8, 0, 0}, 0, -1000);
+    assert_true(fabs(camera->direction.y) < 1);
+    scene_destroy(scene);
+}
+
+/** The speed of keys follows the scene's size, but an unset one the camera's distance. */
+static void test_move_speed(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    assert_near(view_state_move_speed(scene), 5); // A lamp alone has no size.
+    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
+    light.position = (Vec3d){0, 1.9, 4};
+    assert_true(scene_add_light(scene, &light, NULL));
+    assert_near(view_state_move_speed(scene), 1);
+    ViewState home_view;
+    assert_true(view_state_init(&home_view, scene, NULL));
+    view_state_move(&home_view, scene, 0, (Movement){.up = 0.5}, (Movement){.right = 2},
+                    MOTION_FLY);
+    assert_point(scene->lights[0].position, 0, 1.9 + 0.5, 0);
+    assert_point(scene->camera.position, 0, 0, 2);
+    home_view.move_speed = 0;
+    view_state_move(&home_view, scene, 0, (Movement){.up = 0.5}, (Movement){0}, MOTION_FLY);
+    assert_point(scene->lights[0].position, 0, 1.9 + 0.5 + 2.5, 0);
+    view_state_deinit(&home_view);
+    scene->lights[1].position.z = 1000; // Half the distance to what the camera looks at.
+    assert_near(view_state_move_speed(scene), 5);
+    scene_destroy(scene);
+}
+
 /** What was moved is put back; what was not is as the scene has it now, which may be another time.
  */
 static void test_restored_view(void **state) {
@@ -1194,6 +1242,8 @@ int main(void) {
         cmocka_unit_test(test_snapshot_long_path),
         cmocka_unit_test(test_snapshot_convert),
         cmocka_unit_test(test_view_state),
+        cmocka_unit_test(test_move_speed),
+        cmocka_unit_test(test_orbit),
         cmocka_unit_test(test_restored_view),
         cmocka_unit_test(test_walking),
         cmocka_unit_test(test_view_state_renew),

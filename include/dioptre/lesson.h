@@ -43,6 +43,8 @@ typedef enum {
     LESSON_RELEASE, /**< The key of a move goes up. */
     LESSON_SPEED,   /**< The speed of moves changes: Shift, Ctrl. */
     LESSON_TURN,    /**< The camera rotates: the mouse is dragged. */
+    LESSON_ORBIT,   /**< The camera rotates around a point: the right button is held. */
+    LESSON_PAN,     /**< The camera moves in the plane of its picture: the middle one is held. */
     LESSON_ZOOM,    /**< The field of view changes: the wheel. */
     LESSON_SIZE,    /**< The window changes its size. */
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
@@ -78,28 +80,31 @@ typedef struct LessonStep {
                    object of #LESSON_SELECT, #LESSON_SET and #LESSON_MOVE, see
                    SceneOverride::number; 0: none. */
     double x; /**< Speed factor; degrees to the right; notches of the wheel; width in screen units;
-                 fraction of the picture's width; pixels to the right; scene units along x.
-                 -1 for #LESSON_SELECT without a pixel. */
+                 fraction of the picture's width; pixels to the right; scene units along x, or to
+                 the right for #LESSON_PAN. -1 for #LESSON_SELECT without a pixel. */
     double y; /**< Degrees up; height in screen units; fraction of the picture's height, from the
                  top; pixels down; scene units along y. */
     double z; /**< Scene units along z, of #LESSON_DRAG and #LESSON_MOVE. With #x and #y the
                  numbers of #LESSON_SET. */
-    int keyword;    /**< Keyword of the object, see SceneOverride::keyword. */
-    int row;        /**< Field of #LESSON_SET, see SceneOverride::row. */
-    bool continues; /**< Whether undo takes the step before it back, too. */
+    double center[3];      /**< The point of #LESSON_ORBIT, scene units. */
+    int keyword;           /**< Keyword of the object, see SceneOverride::keyword. */
+    int row;               /**< Field of #LESSON_SET, see SceneOverride::row. */
+    bool continues;        /**< Whether undo takes the step before it back, too. */
     LessonText text;       /**< Text of a caption. */
     bool waits_for_viewer; /**< Whether a caption pauses the lesson. */
 } LessonStep;
 
 /** Render settings at the beginning; unset values are those of command line and scene. */
 typedef struct LessonSettings {
-    int samples;        /**< Samples per pixel; 0: unset. */
-    int depth;          /**< Depth of reflections and refractions; -1: unset. */
-    int offset;         /**< An #OffsetStrategy; -1: unset. */
-    double epsilon;     /**< Scene units; negative: unset. */
-    int width;          /**< Width of the window, screen units; 0: unset. */
-    int height;         /**< Height of the window, screen units; 0: unset. */
-    double time;        /**< The scene's `t`, seconds. */
+    int samples;       /**< Samples per pixel; 0: unset. */
+    int depth;         /**< Depth of reflections and refractions; -1: unset. */
+    int offset;        /**< An #OffsetStrategy; -1: unset. */
+    double epsilon;    /**< Scene units; negative: unset. */
+    int width;         /**< Width of the window, screen units; 0: unset. */
+    int height;        /**< Height of the window, screen units; 0: unset. */
+    double time;       /**< The scene's `t`, seconds. */
+    double move_speed; /**< Scene units per second of a held key; 0: unset, half the distance to the
+                            camera's target. */
     const char *engine; /**< Name of the engine, owned by the lesson; NULL: unset. */
 } LessonSettings;
 

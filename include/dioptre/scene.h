@@ -141,6 +141,16 @@ void scene_camera_walk(SceneCamera *camera, Vec3d vertical, double right, double
 void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double tilt);
 
 /**
+ * Rotates the camera around a point, which stays where it is in the picture.
+ * @param[in,out] camera  A finished camera.
+ * @param vertical  Up in the scene, a unit vector.
+ * @param center    The point, scene units.
+ * @param pan       Degrees that the camera turns to the right: what is before the point follows.
+ * @param tilt      Degrees up; it stops 1 degree before the vertical.
+ */
+void scene_camera_orbit(SceneCamera *camera, Vec3d vertical, Vec3d center, double pan, double tilt);
+
+/**
  * Changes the field of view.
  * @param[in,out] camera  A camera.
  * @param factor          Factor for the tangent of half the field of view; the result stays in

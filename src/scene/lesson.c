@@ -127,7 +127,8 @@ static bool check_settings(const Lesson *lesson) {
            check_setting(settings->width, 0, IMAGE_SIZE_MAXIMUM) &&
            check_setting(settings->height, 0, IMAGE_SIZE_MAXIMUM) &&
            fabs(settings->epsilon) <= LENGTH_MAXIMUM &&
-           fabs(settings->time) <= TIME_VALUE_MAXIMUM && check_text(lesson, settings->engine);
+           fabs(settings->time) <= TIME_VALUE_MAXIMUM && settings->move_speed >= 0 &&
+           settings->move_speed <= LENGTH_MAXIMUM && check_text(lesson, settings->engine);
 }
 
 /** @return Whether a question is valid. */
@@ -190,7 +191,13 @@ static bool check_numbers(const LessonStep *step) {
         return row && step->action > 0 && parameter_check_numbers(row, numbers, NULL);
     }
     bool is_object = step->kind == LESSON_SELECT || step->kind == LESSON_MOVE;
-    double maximum = step->kind == LESSON_DRAG || is_object ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    bool is_length = step->kind == LESSON_DRAG || step->kind == LESSON_PAN || is_object;
+    double maximum = is_length ? LENGTH_MAXIMUM : STEP_VALUE_MAXIMUM;
+    for (int i = 0; i < 3; i++) {
+        if (!(fabs(step->center[i]) <= LENGTH_MAXIMUM)) {
+            return false;
+        }
+    }
     return fabs(step->x) <= maximum && fabs(step->y) <= maximum && fabs(step->z) <= maximum &&
            (!is_object || (step->action >= 0 && scene_object_keyword(step->keyword)));
 }

@@ -201,6 +201,17 @@ void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double
     camera->up = orthogonal_up(camera->direction, vertical);
 }
 
+void scene_camera_orbit(SceneCamera *camera, Vec3d vertical, Vec3d center, double pan,
+                        double tilt) {
+    Vec3d offset = vec3d_subtract(center, camera->position);
+    double right = vec3d_dot(offset, scene_camera_right(camera));
+    double up = vec3d_dot(offset, camera->up);
+    double forward = vec3d_dot(offset, camera->direction);
+    scene_camera_rotate(camera, vertical, pan, tilt);
+    camera->position = center;
+    scene_camera_move(camera, -right, -up, -forward);
+}
+
 void scene_camera_zoom(SceneCamera *camera, double factor) {
     double half_angle = atan(tan(camera->fov / 2 * RADIANS_PER_DEGREE) * factor);
     camera->fov = fmin(FOV_MAXIMUM, fmax(FOV_MINIMUM, 2 * half_angle / RADIANS_PER_DEGREE));

@@ -2,6 +2,7 @@
  * @file
  * @brief Transforms: scale, rotation and translation of shapes.
  */
+#include "base/language.h"
 #include "dioptre/parameter.h"
 
 #include <string.h>
@@ -13,22 +14,22 @@ static const Parameter transform_parameters[] = {
      .offset = offsetof(Transform, scale),
      .minimum = -1 / SCALE_MINIMUM,
      .maximum = 1 / SCALE_MINIMUM,
-     .unit = "times",
-     .help = "first it is made so many times as large; negative: mirrored"},
+     .unit = N_("times"),
+     .help = N_("first it is made so many times as large; negative: mirrored")},
     {.name = "rotate",
      .type = PARAMETER_VECTOR,
      .offset = offsetof(Transform, rotate),
      .minimum = -36000,
      .maximum = 36000,
-     .unit = "degrees",
-     .help = "then turned about x, then y, then z"},
+     .unit = N_("degrees"),
+     .help = N_("then turned about x, then y, then z")},
     {.name = "translate",
      .type = PARAMETER_POINT,
      .offset = offsetof(Transform, translate),
      .minimum = -LENGTH_MAXIMUM,
      .maximum = LENGTH_MAXIMUM,
-     .unit = "scene units",
-     .help = "then moved"},
+     .unit = N_("scene units"),
+     .help = N_("then moved")},
     {0}};
 
 /** The identity. */

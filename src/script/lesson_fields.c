@@ -64,6 +64,11 @@ static const Parameter lesson_parameters[] = {[ROW_SCENE] = {.name = "scene"},
                                                .offset = offsetof(LessonSettings, time),
                                                .minimum = -TIME_MAXIMUM,
                                                .maximum = TIME_MAXIMUM},
+                                              {.name = "move_speed",
+                                               .type = PARAMETER_NUMBER,
+                                               .offset = offsetof(LessonSettings, move_speed),
+                                               .minimum = LENGTH_MINIMUM,
+                                               .maximum = LENGTH_MAXIMUM},
                                               {0}};
 
 /** `lesson`, for errors about its fields. */

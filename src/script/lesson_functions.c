@@ -216,6 +216,29 @@ static int call_turn(lua_State *L) {
     return 0;
 }
 
+/** `orbit(RIGHT, UP, X, Y, Z)`, degrees around a point. See lua_CFunction. @return 0 */
+static int call_orbit(lua_State *L) {
+    check_argument_count(L, 5, 5, "orbit(DEGREES_RIGHT, DEGREES_UP, X, Y, Z)");
+    LessonStep step = {.kind = LESSON_ORBIT};
+    step.x = read_number(L, 1, "orbit", -TURN_MAXIMUM, TURN_MAXIMUM);
+    step.y = read_number(L, 2, "orbit", -TURN_MAXIMUM, TURN_MAXIMUM);
+    for (int i = 0; i < 3; i++) {
+        step.center[i] = read_number(L, 3 + i, "orbit", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    }
+    add_step(L, step);
+    return 0;
+}
+
+/** `pan(RIGHT, UP)`, scene units. See lua_CFunction. @return 0 */
+static int call_pan(lua_State *L) {
+    check_argument_count(L, 2, 2, "pan(RIGHT, UP)");
+    LessonStep step = {.kind = LESSON_PAN};
+    step.x = read_number(L, 1, "pan", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    step.y = read_number(L, 2, "pan", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
+    add_step(L, step);
+    return 0;
+}
+
 /** `zoom(NOTCHES)`. See lua_CFunction. @return 0 */
 static int call_zoom(lua_State *L) {
     check_argument_count(L, 1, 1, "zoom(NOTCHES)");
@@ -382,7 +405,8 @@ static void register_functions(lua_State *L) {
         {"size", call_size},        {"pixel", call_pixel},     {"walk", call_walk},
         {"ray", call_ray},          {"bar", call_bar},         {"drag", call_drag},
         {"ask", call_ask},          {"select", call_select},   {"set", call_set},
-        {"move", call_move},        {"snapshot", call_snapshot}};
+        {"orbit", call_orbit},      {"pan", call_pan},         {"move", call_move},
+        {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }

@@ -36,8 +36,7 @@ void app_sync_window(App *app) {
                                                   .is_recording = app_is_recording(app),
                                                   .is_playing = app_is_playing(app),
                                                   .edits = &app->edits,
-                                                  .is_light_moved =
-                                                      app->home_view.is_light_moved});
+                                                  .is_light_moved = app->home_view.is_light_moved});
 }
 
 void app_clear_status(App *app) {
@@ -104,7 +103,8 @@ bool app_is_animated(const App *app) {
 bool app_is_time_settled(const App *app) {
     bool is_stopped = !app->timeline.is_running || app_is_lesson_stopped(app);
     bool is_edited = app->source.shown_revision == app->edits.revision;
-    return is_stopped && is_edited && (!app_is_animated(app) || app_scene_time(app) == app->scene_time);
+    return is_stopped && is_edited &&
+           (!app_is_animated(app) || app_scene_time(app) == app->scene_time);
 }
 
 /* --- the view --------------------------------------------------------------------------------- */
@@ -159,6 +159,24 @@ void app_turn(App *app, double right, double up) {
     scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
+}
+
+void app_orbit(App *app, double right, double up, Vec3d center) {
+    if (app->window.ray_view.is_open) {
+        ray_view_turn(&app->window.ray_view, right, up);
+        return;
+    }
+    scene_camera_orbit(&app->scene->camera, app->home_view.up_axis, center, right, up);
+    app->home_view.is_camera_moved = true;
+    app_on_view_changed(app);
+}
+
+void app_pan(App *app, double right, double up) {
+    if (!app->window.ray_view.is_open) {
+        scene_camera_move(&app->scene->camera, right, up, 0);
+        app->home_view.is_camera_moved = true;
+        app_on_view_changed(app);
+    }
 }
 
 void app_zoom(App *app, double notches) {

@@ -61,23 +61,30 @@ typedef struct FileStamp {
 
 /** Where the scene comes from, and the next one. */
 typedef struct SceneSource {
-    char path[PATH_MAX];        /**< File of the scene on screen, or `-`. */
-    char name[SCENE_NAME_SIZE]; /**< Its name, for the title and the snapshots. */
-    Scene *owned;               /**< The scene on screen; NULL: it is the first, the caller's. */
-    Lesson *lesson;             /**< The lesson that was loaded with it and waits for the player;
-                                     owned; NULL: none. */
-    char lesson_path[PATH_MAX]; /**< Its file. */
-    SceneLoader loader;         /**< Loads the next scene. */
-    FileWatcher watcher;        /**< Reports that the file was written. */
-    bool is_file_changed;       /**< Whether it was, since the last request. */
-    bool has_load_error;        /**< Whether the newest scene could not be loaded. */
-    char failed_path[PATH_MAX]; /**< Its file; empty: #path. */
-    char next_path[PATH_MAX];   /**< File of the scene to load next; empty: none. */
-    double next_load_time;      /**< Earliest time of the next request, seconds. */
-    FileStamp stamp;            /**< When the scene's file was written, as far as is known. */
+    char path[PATH_MAX];         /**< File of the scene on screen, or `-`. */
+    char name[SCENE_NAME_SIZE];  /**< Its name, for the title and the snapshots. */
+    Scene *owned;                /**< The scene on screen; NULL: it is the first, the caller's. */
+    Lesson *lesson;              /**< The lesson that was loaded with it and waits for the player;
+                                      owned; NULL: none. */
+    char lesson_path[PATH_MAX];  /**< Its file. */
+    SceneLoader loader;          /**< Loads the next scene. */
+    FileWatcher watcher;         /**< Reports that the file was written. */
+    bool is_file_changed;        /**< Whether it was, since the last request. */
+    bool has_load_error;         /**< Whether the newest scene could not be loaded. */
+    char failed_path[PATH_MAX];  /**< Its file; empty: #path. */
+    char next_path[PATH_MAX];    /**< File of the scene to load next; empty: none. */
+    double next_load_time;       /**< Earliest time of the next request, seconds. */
+    FileStamp stamp;             /**< When the scene's file was written, as far as is known. */
     uint64_t requested_revision; /**< #EditHistory.revision of the last request. */
     uint64_t shown_revision;     /**< The same of the scene on screen, or of a faulty one. */
 } SceneSource;
+
+/** How the mouse moves the camera. */
+typedef enum {
+    CAMERA_IS_FREE,   /**< It does not, but for the left button. */
+    CAMERA_IS_TURNED, /**< Around a point. */
+    CAMERA_IS_PANNED  /**< In the plane of its picture, so that a point stays under the mouse. */
+} CameraDrag;
 
 /** What keyboard and mouse are doing. */
 typedef struct InputState {
@@ -92,6 +99,11 @@ typedef struct InputState {
     size_t dragged_light;    /**< Index of that light. */
     bool is_object_dragged;  /**< Whether the mouse drags the selected shape. */
     Vec3d dragged_point;     /**< Where the mouse holds it, scene units. */
+    CameraDrag camera_drag;  /**< How the mouse moves the camera. */
+    Vec3d camera_point;      /**< The point of #camera_drag, scene units. */
+    bool is_pinching;        /**< Whether two fingers touch the picture. */
+    float pinch_x;           /**< Their middle, fraction of the touch device's width. */
+    float pinch_y;           /**< The same of its height. */
     bool has_dragged;        /**< Whether light or shape have moved since the button went down. */
 } InputState;
 
@@ -236,6 +248,14 @@ void app_drag_light(App *app, size_t light, Vec3d offset);
 /** Turns the camera, or the second camera around the rays. @param right Degrees to the right.
  *  @param up Degrees up. */
 void app_turn(App *app, double right, double up);
+
+/** Rotates the camera around a point; or the second camera around the rays, while they are shown.
+ *  @param right Degrees to the right. @param up Degrees up. @param center Scene units. */
+void app_orbit(App *app, double right, double up, Vec3d center);
+
+/** Moves the camera in the plane of its picture, unless rays are shown. @param right Scene units.
+ *  @param up Scene units. */
+void app_pan(App *app, double right, double up);
 
 /** Narrows the field of view, or moves the second camera nearer. @param notches Notches of the
  *  wheel; negative: the opposite. */

@@ -162,8 +162,8 @@ static void set_hint(Window *window) {
     help_key_names(command_find(window->help.commands, "help"), window->help.by_letter, help,
                    sizeof help);
     snprintf(window->hint.text, sizeof window->hint.text,
-             gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a pixel: its rays. "
-                     "Help: %s"),
+             gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a thing to "
+                     "change it. Help: %s"),
              light, help);
     window->hint.end_time = clock_now_seconds() + HINT_SECONDS;
 }

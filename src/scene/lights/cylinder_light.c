@@ -12,11 +12,11 @@ _Static_assert(sizeof(CylinderLightFields) <= SCENE_LIGHT_OWN_DOUBLES * sizeof(d
 /** Fields of `cylinder_light`. */
 static const Parameter cylinder_light_parameters[] = {
     LIGHT_LENGTH_ROW("base", PARAMETER_POINT, offsetof(SceneLight, position), -LENGTH_MAXIMUM,
-                     "centre of one end"),
+                     N_("centre of one end")),
     LIGHT_LENGTH_ROW("top", PARAMETER_POINT, SCENE_LIGHT_OWN_OFFSET(CylinderLightFields, top),
-                     -LENGTH_MAXIMUM, "centre of the other end"),
+                     -LENGTH_MAXIMUM, N_("centre of the other end")),
     LIGHT_LENGTH_ROW("radius", PARAMETER_NUMBER, offsetof(SceneLight, radius), LENGTH_MINIMUM,
-                     "its radius"),
+                     N_("its radius")),
     LIGHT_COLOR_ROW,
     LIGHT_INTENSITY_ROW,
     LIGHT_FALLOFF_ROW,

@@ -9,13 +9,13 @@ const char *const light_falloff_words[] = {"none", "inverse_square", "inverse_li
 /** Fields of `light`. */
 static const Parameter point_light_parameters[] = {
     LIGHT_LENGTH_ROW("position", PARAMETER_POINT, offsetof(SceneLight, position), -LENGTH_MAXIMUM,
-                     "where the lamp is"),
+                     N_("where the lamp is")),
     LIGHT_COLOR_ROW,
     LIGHT_INTENSITY_ROW,
     LIGHT_FALLOFF_ROW,
     LIGHT_FALLOFF_CONSTANT_ROW,
     LIGHT_LENGTH_ROW("radius", PARAMETER_NUMBER, offsetof(SceneLight, radius), 0,
-                     "above 0: seen as a glowing ball, with soft shadows"),
+                     N_("above 0: seen as a glowing ball, with soft shadows")),
     {0}};
 
 /** A white light just under a ceiling at height 2. */

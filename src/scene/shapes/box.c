@@ -6,8 +6,8 @@
 
 /** Fields of `box`. */
 static const Parameter box_parameters[] = {
-    POINT_FIELD("min", BoxParameters, low, "its lowest corner"),
-    POINT_FIELD("max", BoxParameters, high, "its highest corner"),
+    POINT_FIELD("min", BoxParameters, low, N_("its lowest corner")),
+    POINT_FIELD("max", BoxParameters, high, N_("its highest corner")),
     {0}};
 
 /** A cube of side 1. */

@@ -8,20 +8,20 @@
 #define RADIUS_FIELD(field, member, text)                                                          \
     {                                                                                              \
         .name = field, .type = PARAMETER_NUMBER, .offset = offsetof(ConeParameters, member),       \
-        .minimum = 0, .maximum = LENGTH_MAXIMUM, .unit = "scene units", .help = text               \
+        .minimum = 0, .maximum = LENGTH_MAXIMUM, .unit = N_("scene units"), .help = text           \
     }
 
 /** Fields of `cone`. */
 static const Parameter cone_parameters[] = {
-    POINT_FIELD("base", ConeParameters, base, "centre of one end"),
-    POINT_FIELD("top", ConeParameters, top, "centre of the other end"),
-    RADIUS_FIELD("radius", radius, "radius at the base"),
-    RADIUS_FIELD("top_radius", top_radius, "radius at the top; 0: a tip"),
+    POINT_FIELD("base", ConeParameters, base, N_("centre of one end")),
+    POINT_FIELD("top", ConeParameters, top, N_("centre of the other end")),
+    RADIUS_FIELD("radius", radius, N_("radius at the base")),
+    RADIUS_FIELD("top_radius", top_radius, N_("radius at the top; 0: a tip")),
     {.name = "capped",
      .type = PARAMETER_BOOLEAN,
      .offset = offsetof(ConeParameters, capped),
-     .unit = "yes or no",
-     .help = "whether its ends are closed; else it is a funnel"},
+     .unit = N_("yes or no"),
+     .help = N_("whether its ends are closed; else it is a funnel")},
     {0}};
 
 /** A capped cone of radius 1 and height 1 on the plane y = 0. */

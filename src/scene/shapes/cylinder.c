@@ -6,14 +6,14 @@
 
 /** Fields of `cylinder`. */
 static const Parameter cylinder_parameters[] = {
-    POINT_FIELD("base", CylinderParameters, base, "centre of one end"),
-    POINT_FIELD("top", CylinderParameters, top, "centre of the other end"),
-    LENGTH_FIELD("radius", CylinderParameters, radius, "its radius"),
+    POINT_FIELD("base", CylinderParameters, base, N_("centre of one end")),
+    POINT_FIELD("top", CylinderParameters, top, N_("centre of the other end")),
+    LENGTH_FIELD("radius", CylinderParameters, radius, N_("its radius")),
     {.name = "capped",
      .type = PARAMETER_BOOLEAN,
      .offset = offsetof(CylinderParameters, capped),
-     .unit = "yes or no",
-     .help = "whether its ends are closed; else it is a pipe"},
+     .unit = N_("yes or no"),
+     .help = N_("whether its ends are closed; else it is a pipe")},
     {0}};
 
 /** A capped cylinder of radius 1 and height 1 on the plane y = 0. */

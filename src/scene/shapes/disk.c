@@ -6,9 +6,9 @@
 
 /** Fields of `disk`. */
 static const Parameter disk_parameters[] = {
-    POINT_FIELD("center", DiskParameters, center, "its centre"),
-    NORMAL_FIELD("normal", DiskParameters, normal, "its normal"),
-    LENGTH_FIELD("radius", DiskParameters, radius, "its radius"),
+    POINT_FIELD("center", DiskParameters, center, N_("its centre")),
+    NORMAL_FIELD("normal", DiskParameters, normal, N_("its normal")),
+    LENGTH_FIELD("radius", DiskParameters, radius, N_("its radius")),
     {0}};
 
 /** A disk of radius 1 in the plane y = 0. */

@@ -8,6 +8,7 @@
 #ifndef DIOPTRE_SCENE_SHAPES_FIELDS_H
 #define DIOPTRE_SCENE_SHAPES_FIELDS_H
 
+#include "base/language.h"
 #include "dioptre/scene.h"
 
 /** Row of three numbers between -#LENGTH_MAXIMUM and #LENGTH_MAXIMUM. */
@@ -19,25 +20,26 @@
 
 /** Row of a point, scene units. */
 #define POINT_FIELD(field, Struct, member, text)                                                   \
-    VECTOR_FIELD(field, PARAMETER_POINT, "scene units", Struct, member, text)
+    VECTOR_FIELD(field, PARAMETER_POINT, N_("scene units"), Struct, member, text)
 
 /** Row of a normal of any length, not zero. */
 #define NORMAL_FIELD(field, Struct, member, text)                                                  \
-    VECTOR_FIELD(field, PARAMETER_DIRECTION, "any length", Struct, member, text)
+    VECTOR_FIELD(field, PARAMETER_DIRECTION, N_("any length"), Struct, member, text)
 
 /** Row of an edge, scene units, not zero. */
 #define EDGE_FIELD(field, Struct, member, text)                                                    \
-    VECTOR_FIELD(field, PARAMETER_DIRECTION, "scene units", Struct, member, text)
+    VECTOR_FIELD(field, PARAMETER_DIRECTION, N_("scene units"), Struct, member, text)
 
 /** Row of texture coordinates. */
 #define UV_FIELD(field, Struct, member, text)                                                      \
-    VECTOR_FIELD(field, PARAMETER_UV, "pictures", Struct, member, text)
+    VECTOR_FIELD(field, PARAMETER_UV, N_("pictures"), Struct, member, text)
 
 /** Row of a length above zero, scene units. */
 #define LENGTH_FIELD(field, Struct, member, text)                                                  \
     {                                                                                              \
         .name = field, .type = PARAMETER_NUMBER, .offset = offsetof(Struct, member),               \
-        .minimum = LENGTH_MINIMUM, .maximum = LENGTH_MAXIMUM, .unit = "scene units", .help = text  \
+        .minimum = LENGTH_MINIMUM, .maximum = LENGTH_MAXIMUM, .unit = N_("scene units"),           \
+        .help = text                                                                               \
     }
 
 /** Sine of the angle below which two edges count as parallel: double cannot resolve less. */

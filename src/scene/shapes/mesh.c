@@ -12,14 +12,14 @@ static const Parameter mesh_parameters[] = {
     {.name = "file",
      .type = PARAMETER_MESH,
      .offset = offsetof(MeshShapeParameters, file),
-     .unit = "file",
-     .help = "the model file, beside the scene file"},
+     .unit = N_("file"),
+     .help = N_("the model file, beside the scene file")},
     {.name = "normals",
      .type = PARAMETER_CHOICE,
      .offset = offsetof(MeshShapeParameters, normals),
      .choices = mesh_normal_words,
-     .unit = "word",
-     .help = "the file's, smooth where it has none; smooth; or flat"},
+     .unit = N_("word"),
+     .help = N_("the file's, smooth where it has none; smooth; or flat")},
     {0}};
 
 /** No file: the scene must give it. */

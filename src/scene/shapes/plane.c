@@ -6,8 +6,8 @@
 
 /** Fields of `plane`. */
 static const Parameter plane_parameters[] = {
-    POINT_FIELD("point", PlaneParameters, point, "a point of it"),
-    NORMAL_FIELD("normal", PlaneParameters, normal, "its normal"),
+    POINT_FIELD("point", PlaneParameters, point, N_("a point of it")),
+    NORMAL_FIELD("normal", PlaneParameters, normal, N_("its normal")),
     {0}};
 
 /** The plane y = 0. */

@@ -6,9 +6,9 @@
 
 /** Fields of `quad`. */
 static const Parameter quad_parameters[] = {
-    POINT_FIELD("corner", QuadParameters, corner, "one corner"),
-    EDGE_FIELD("u", QuadParameters, u, "from it to the next corner"),
-    EDGE_FIELD("v", QuadParameters, v, "from it to the corner on the other side"),
+    POINT_FIELD("corner", QuadParameters, corner, N_("one corner")),
+    EDGE_FIELD("u", QuadParameters, u, N_("from it to the next corner")),
+    EDGE_FIELD("v", QuadParameters, v, N_("from it to the corner on the other side")),
     {0}};
 
 /** A square of side 1 that faces the viewer. */

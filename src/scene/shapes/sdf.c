@@ -9,16 +9,17 @@ static const Parameter sdf_parameters[] = {
     {.name = "field",
      .type = PARAMETER_SDF,
      .offset = offsetof(SdfShapeParameters, field),
-     .unit = "field",
-     .help = "the field; it may also stand first, without a name"},
-    LENGTH_FIELD("tolerance", SdfShapeParameters, tolerance, "how near to the surface is on it"),
+     .unit = N_("field"),
+     .help = N_("the field; it may also stand first, without a name")},
+    LENGTH_FIELD("tolerance", SdfShapeParameters, tolerance,
+                 N_("how near to the surface is on it")),
     {.name = "max_steps",
      .type = PARAMETER_INTEGER,
      .offset = offsetof(SdfShapeParameters, max_steps),
      .minimum = 1,
      .maximum = 1000000,
-     .unit = "steps",
-     .help = "after so many a ray is given up"},
+     .unit = N_("steps"),
+     .help = N_("after so many a ray is given up")},
     {0}};
 
 /** A tolerance too small to be visible at usual sizes. */

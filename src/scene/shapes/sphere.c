@@ -6,8 +6,8 @@
 
 /** Fields of `sphere`. */
 static const Parameter sphere_parameters[] = {
-    POINT_FIELD("center", SphereParameters, center, "its centre"),
-    LENGTH_FIELD("radius", SphereParameters, radius, "its radius"),
+    POINT_FIELD("center", SphereParameters, center, N_("its centre")),
+    LENGTH_FIELD("radius", SphereParameters, radius, N_("its radius")),
     {0}};
 
 /** A sphere of radius 1 at the origin. */

@@ -12,16 +12,17 @@ enum { TRIANGLE_ROW_NORMALS = 3, TRIANGLE_ROW_UVS = 6 };
 
 /** Fields of `triangle`. */
 static const Parameter triangle_parameters[] = {
-    POINT_FIELD("a", TriangleParameters, corners[0], "one corner"),
-    POINT_FIELD("b", TriangleParameters, corners[1], "the next"),
-    POINT_FIELD("c", TriangleParameters, corners[2], "the last"),
+    POINT_FIELD("a", TriangleParameters, corners[0], N_("one corner")),
+    POINT_FIELD("b", TriangleParameters, corners[1], N_("the next")),
+    POINT_FIELD("c", TriangleParameters, corners[2], N_("the last")),
     [TRIANGLE_ROW_NORMALS] = NORMAL_FIELD("na", TriangleParameters, normals[0],
-                                          "the normal at a, to shade it as if it were round"),
-    NORMAL_FIELD("nb", TriangleParameters, normals[1], "the normal at b"),
-    NORMAL_FIELD("nc", TriangleParameters, normals[2], "the normal at c"),
-    [TRIANGLE_ROW_UVS] = UV_FIELD("ta", TriangleParameters, uvs[0], "where a lies in a picture"),
-    UV_FIELD("tb", TriangleParameters, uvs[1], "where b lies"),
-    UV_FIELD("tc", TriangleParameters, uvs[2], "where c lies"),
+                                          N_("the normal at a, to shade it as if it were round")),
+    NORMAL_FIELD("nb", TriangleParameters, normals[1], N_("the normal at b")),
+    NORMAL_FIELD("nc", TriangleParameters, normals[2], N_("the normal at c")),
+    [TRIANGLE_ROW_UVS] =
+        UV_FIELD("ta", TriangleParameters, uvs[0], N_("where a lies in a picture")),
+    UV_FIELD("tb", TriangleParameters, uvs[1], N_("where b lies")),
+    UV_FIELD("tc", TriangleParameters, uvs[2], N_("where c lies")),
     {0}};
 
 /** Half of a square of side 1 that faces the viewer. */

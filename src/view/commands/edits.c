@@ -94,6 +94,11 @@ static bool find_object_at(App *app, double x, double y, SceneObject *object, Ve
     return false;
 }
 
+bool edits_point_at(App *app, double x, double y, Vec3d *point) {
+    SceneObject object;
+    return find_object_at(app, x, y, &object, point);
+}
+
 void edits_click(App *app, double x, double y) {
     SceneObject object;
     Vec3d point;

@@ -19,6 +19,10 @@ void edits_click(App *app, double x, double y);
 /** Selects a light whose mark was clicked. @param light Its index. */
 void edits_click_light(App *app, size_t light);
 
+/** Finds the point that a pixel shows. @param x Fraction of the picture's width. @param y Fraction
+ *  of its height. @param[out] point It, scene units. @return false if it shows nothing. */
+bool edits_point_at(App *app, double x, double y, Vec3d *point);
+
 /** Takes hold of the selected shape. @param x Fraction of the picture's width. @param y Fraction of
  *  its height. @param[out] point Where it is held, scene units. @return Whether it is there. */
 bool edits_grab(App *app, double x, double y, Vec3d *point);

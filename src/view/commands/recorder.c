@@ -87,6 +87,9 @@ static void write_head(const App *app, FILE *file) {
     if (render->trace.depth >= 0) {
         fprintf(file, "  depth = %d,\n", render->trace.depth);
     }
+    if (app->home_view.move_speed > 0) {
+        fprintf(file, "  move_speed = %.17g,\n", app->home_view.move_speed);
+    }
     fprintf(file, "  offset = \"%s\", epsilon = %.17g, time = %.17g,\n}\n",
             offset_strategy_names[render->trace.offset], render->trace.epsilon, app->timeline.time);
 }

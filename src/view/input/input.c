@@ -18,6 +18,8 @@ static const double FINE_FACTOR = 0.25;
 static const int LARGE_PIXEL_STEP = 10;
 /** Degrees that the second camera turns around rays while the mouse crosses the window. */
 static const double ORBIT_PER_WINDOW = 180;
+/** Notches of the wheel while two fingers spread from one point across the window. */
+static const double PINCH_NOTCHES = 30;
 /** Screen units that the mouse may move during a click. */
 static const int CLICK_TOLERANCE = 3;
 /** Modifiers with which a key is for the window manager. */
@@ -186,13 +188,17 @@ static bool grab_at(App *app, int x, int y) {
     return app->window.split.is_dragged;
 }
 
-/** Handles a mouse button: it takes hold of something, or clicks on a pixel. */
-static void on_button(App *app, const SDL_MouseButtonEvent *button) {
+/** Lets go of what the left button holds. */
+static void end_drags(App *app) {
+    InputState *input = &app->input;
+    app->window.split.is_dragged = input->is_light_dragged = input->is_object_dragged =
+        input->has_dragged = input->is_click_candidate = false;
+}
+
+/** Handles the left mouse button: it takes hold of something, or clicks on a pixel. */
+static void on_left_button(App *app, const SDL_MouseButtonEvent *button) {
     InputState *input = &app->input;
     bool is_down = button->state == SDL_PRESSED;
-    if (button->button != SDL_BUTTON_LEFT) {
-        return;
-    }
     if (!is_down && input->is_click_candidate) {
         click_at(app, input->click_x, input->click_y);
     }
@@ -204,8 +210,7 @@ static void on_button(App *app, const SDL_MouseButtonEvent *button) {
     if (!is_down && input->is_object_dragged && !input->has_dragged) {
         click_at(app, button->x, button->y);
     }
-    app->window.split.is_dragged = input->is_light_dragged = input->is_object_dragged =
-        input->has_dragged = false;
+    end_drags(app);
     input->is_click_candidate = is_accepted && !grab_at(app, button->x, button->y);
     input->click_x = button->x;
     input->click_y = button->y;
@@ -256,12 +261,132 @@ static void drag_light(App *app, const SDL_MouseMotionEvent *mouse) {
     }
 }
 
+/* --- the camera by mouse and fingers ------------------------------------------------------------
+ */
+
+/** @return The point that the camera is moved about: what is under the mouse, else the scene's
+ *  centre, else what the camera looks at. @param x Screen units. */
+static Vec3d find_camera_point(App *app, int x, int y) {
+    const SceneCamera *camera = &app->scene->camera;
+    Aabbd bounds = scene_bounds(app->scene);
+    double right, down;
+    Vec3d point;
+    if (window_picture_position(&app->window, x, y, &right, &down) &&
+        edits_point_at(app, right, down, &point)) {
+        return point;
+    }
+    point = vec3d_scale(vec3d_add(bounds.low, bounds.high), 0.5);
+    bool is_seen = aabbd_is_bounded(bounds) && bounds.low.x <= bounds.high.x &&
+                   vec3d_dot(vec3d_subtract(point, camera->position), camera->direction) > 0;
+    return is_seen ? point
+                   : vec3d_add(camera->position,
+                               vec3d_scale(camera->direction, camera->target_distance));
+}
+
+/** @return How a button moves the camera. The left one does it with Alt only. */
+static CameraDrag camera_drag_of(const App *app, Uint8 button) {
+    bool is_alt = app->input.modifiers & KMOD_LALT, is_shift = app->input.modifiers & KMOD_SHIFT;
+    if (button == SDL_BUTTON_MIDDLE || (button == SDL_BUTTON_RIGHT && is_shift)) {
+        return CAMERA_IS_PANNED;
+    }
+    return button == SDL_BUTTON_RIGHT || (button == SDL_BUTTON_LEFT && is_alt) ? CAMERA_IS_TURNED
+                                                                               : CAMERA_IS_FREE;
+}
+
+/** Begins or ends to move the camera. @return Whether the button is one for that. */
+static bool handle_camera_button(App *app, const SDL_MouseButtonEvent *button) {
+    InputState *input = &app->input;
+    if (button->state == SDL_RELEASED) {
+        bool was_dragged = input->camera_drag != CAMERA_IS_FREE;
+        input->camera_drag = CAMERA_IS_FREE;
+        return was_dragged || button->button != SDL_BUTTON_LEFT;
+    }
+    CameraDrag drag = camera_drag_of(app, button->button);
+    if (drag != CAMERA_IS_FREE && player_allows_input(app)) {
+        input->camera_drag = drag;
+        input->camera_point = find_camera_point(app, button->x, button->y);
+    }
+    return drag != CAMERA_IS_FREE || button->button != SDL_BUTTON_LEFT;
+}
+
+/** Moves the camera so that its point stays under the mouse. @param from Screen units. @param to
+ *  The same. */
+static void pan_camera(App *app, GuiPoint from, GuiPoint to) {
+    const SceneCamera *camera = &app->scene->camera;
+    const PictureDrag drag = {from, to, false};
+    Vec3d offset;
+    if (!app->window.ray_view.is_open && player_allows_input(app) &&
+        window_drag_offset_at(&app->window, app->input.camera_point, &drag, &offset)) {
+        double right = -vec3d_dot(offset, scene_camera_right(camera));
+        double up = -vec3d_dot(offset, camera->up);
+        recorder_on_step(app, "pan(%.17g, %.17g)", right, up);
+        app_pan(app, right, up);
+    }
+}
+
+/** Rotates the camera around its point: half a turn while the mouse crosses the window. */
+static void orbit_camera(App *app, const SDL_MouseMotionEvent *mouse) {
+    const Vec3d *point = &app->input.camera_point;
+    double degrees = ORBIT_PER_WINDOW / mouse_window_width(app);
+    double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
+    if (player_allows_input(app)) {
+        recorder_on_step(app, "orbit(%.17g, %.17g, %.17g, %.17g, %.17g)", right, up, point->x,
+                         point->y, point->z);
+        app_orbit(app, right, up, *point);
+    }
+}
+
+/** Handles two fingers: their middle pans, their distance zooms. The first of them was a mouse
+ *  button until now. */
+static void on_fingers(App *app, const SDL_MultiGestureEvent *fingers) {
+    InputState *input = &app->input;
+    int width = 1, height = 1;
+    if (fingers->numFingers != 2 || !player_allows_input(app)) {
+        return;
+    }
+    SDL_GetWindowSize(app->window.sdl.window, &width, &height);
+    GuiPoint to = {fingers->x * (float)width, fingers->y * (float)height};
+    GuiPoint from = {input->pinch_x * (float)width, input->pinch_y * (float)height};
+    if (input->is_pinching) {
+        double notches = PINCH_NOTCHES * (double)fingers->dDist;
+        pan_camera(app, from, to);
+        recorder_on_step(app, "zoom(%.17g)", notches);
+        app_zoom(app, notches);
+    } else {
+        end_drags(app);
+        input->camera_point = find_camera_point(app, (int)to.x, (int)to.y);
+    }
+    input->is_pinching = true;
+    input->pinch_x = fingers->x;
+    input->pinch_y = fingers->y;
+}
+
+/* --- events of the mouse ------------------------------------------------------------------------
+ */
+
+/** Handles a mouse button. */
+static void on_button(App *app, const SDL_MouseButtonEvent *button) {
+    app->input.is_pinching = false;
+    if (!handle_camera_button(app, button)) {
+        on_left_button(app, button);
+    }
+}
+
 /** Handles a mouse motion: drags a light or the bar, or turns the camera by the angle that the
  * mouse crosses.
  */
 static void on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
     int width = mouse_window_width(app);
-    if (app->input.is_light_dragged) {
+    if (app->input.is_pinching) {
+        return; // The mouse is one of two fingers.
+    }
+    if (app->input.camera_drag == CAMERA_IS_TURNED) {
+        orbit_camera(app, mouse);
+    } else if (app->input.camera_drag == CAMERA_IS_PANNED) {
+        pan_camera(app,
+                   (GuiPoint){(float)(mouse->x - mouse->xrel), (float)(mouse->y - mouse->yrel)},
+                   (GuiPoint){(float)mouse->x, (float)mouse->y});
+    } else if (app->input.is_light_dragged) {
         drag_light(app, mouse);
     } else if (app->input.is_object_dragged) {
         drag_object(app, mouse);
@@ -427,6 +552,9 @@ void input_handle_event(App *app, const SDL_Event *event) {
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
         on_button(app, &event->button);
+        break;
+    case SDL_MULTIGESTURE:
+        on_fingers(app, &event->mgesture);
         break;
     case SDL_MOUSEWHEEL:
         on_wheel(app, &event->wheel);

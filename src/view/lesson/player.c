@@ -97,6 +97,7 @@ static void begin_lesson(App *app, const Lesson *lesson, Lesson *owned, const ch
     *player = (Player){.lesson = lesson, .owned = owned, .initial_time = app->scene_time};
     SDL_strlcpy(player->path, path, sizeof player->path);
     scene_name_from_path(path, player->name, sizeof player->name);
+    app->home_view.move_speed = lesson->initial_settings.move_speed;
     rewind_lesson(app);
     window_end_hint(&app->window);
     update_panel(app);
@@ -115,6 +116,7 @@ void player_end(App *app) {
         timeline_pause(&app->timeline, app_clock(app));
     }
     if (player->lesson) {
+        app->home_view.move_speed = view_state_move_speed(app->scene);
         Lesson *owned = player->owned;
         *player = (Player){0};
         update_panel(app);
@@ -300,6 +302,13 @@ static void do_step(App *app, const LessonStep *step) {
         break;
     case LESSON_TURN:
         app_turn(app, step->x, step->y);
+        break;
+    case LESSON_ORBIT:
+        app_orbit(app, step->x, step->y,
+                  (Vec3d){step->center[0], step->center[1], step->center[2]});
+        break;
+    case LESSON_PAN:
+        app_pan(app, step->x, step->y);
         break;
     case LESSON_ZOOM:
         app_zoom(app, step->x);

@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Normal speed: fraction of the distance to the target per second. It crosses a scene of any size
- * in a few seconds, and a tap moves the picture by some pixels. */
-static const double PLAIN_SPEED = 0.5;
+/** Normal speed: at most this fraction of the distance to the target per second. */
+static const double TARGET_SPEED = 0.5;
+/** Normal speed: fraction of the scene's size per second. It crosses any scene in four seconds, and
+ * a tap moves the picture by some pixels. */
+static const double SCENE_SPEED = 0.25;
 
 /** Finds the up axis of a scene: y, or another axis if the top of its picture points there. The up
  * vector of a camera that looks steeply up or down is ignored. @return One of the six axes. */
@@ -24,6 +26,26 @@ static Vec3d find_up_axis(const SceneCamera *camera) {
         return (Vec3d){copysign(1, up.x), 0, 0};
     }
     return (Vec3d){0, is_steep ? 1 : copysign(1, up.y), 0};
+}
+
+double view_state_move_speed(const Scene *scene) {
+    Aabbd bounds = scene_bounds(scene);
+    Vec3d center;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        if (scene_light_center(&scene->lights[i], &center)) {
+            bounds = aabbd_add_point(bounds, center);
+        }
+    }
+    double size = vec3d_max_abs(vec3d_subtract(bounds.high, bounds.low));
+    bool has_size = bounds.low.x <= bounds.high.x && size > 0;
+    double speed = TARGET_SPEED * scene->camera.target_distance;
+    return has_size ? fmin(speed, SCENE_SPEED * size) : speed;
+}
+
+/** @return Scene units per second of a held key. */
+static double move_speed(const ViewState *view_state, const Scene *scene) {
+    return view_state->move_speed > 0 ? view_state->move_speed
+                                      : TARGET_SPEED * scene->camera.target_distance;
 }
 
 bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
@@ -42,6 +64,7 @@ bool view_state_init(ViewState *view_state, const Scene *scene, Error *error) {
     }
     view_state->camera = scene->camera;
     view_state->up_axis = find_up_axis(&scene->camera);
+    view_state->move_speed = view_state_move_speed(scene);
     return true;
 }
 
@@ -51,6 +74,7 @@ bool view_state_transfer(ViewState *view_state, const Scene *previous, Scene *sc
         return false;
     }
     next.is_camera_moved = view_state->is_camera_moved;
+    next.move_speed = view_state->move_speed;
     if (view_state->is_camera_moved) {
         scene->camera = previous->camera;
     }
@@ -107,9 +131,8 @@ void view_state_deinit(ViewState *view_state) {
 }
 
 /** @return A movement as a vector of the scene. @param camera The camera whose picture defines the
- * axes. */
-static Vec3d movement_offset(const SceneCamera *camera, Movement movement) {
-    double units = PLAIN_SPEED * camera->target_distance;
+ * axes. @param units Scene units per second. */
+static Vec3d movement_offset(const SceneCamera *camera, Movement movement, double units) {
     Vec3d right = vec3d_scale(scene_camera_right(camera), movement.right * units);
     Vec3d up = vec3d_scale(camera->up, movement.up * units);
     Vec3d forward = vec3d_scale(camera->direction, movement.forward * units);
@@ -118,12 +141,13 @@ static Vec3d movement_offset(const SceneCamera *camera, Movement movement) {
 
 void view_state_move(ViewState *view_state, Scene *scene, size_t light, Movement light_movement,
                      Movement camera_movement, CameraMotion motion) {
+    double units = move_speed(view_state, scene);
     if (light < scene->light_count && movement_is_nonzero(light_movement)) {
         view_state->is_light_moved[light] = true;
-        scene_light_move(&scene->lights[light], movement_offset(&scene->camera, light_movement),
+        scene_light_move(&scene->lights[light],
+                         movement_offset(&scene->camera, light_movement, units),
                          scene->camera.target_distance);
     }
-    double units = PLAIN_SPEED * scene->camera.target_distance;
     view_state->is_camera_moved =
         view_state->is_camera_moved || movement_is_nonzero(camera_movement);
     double right = camera_movement.right * units, up = camera_movement.up * units;

@@ -16,7 +16,18 @@ typedef struct ViewState {
     bool *is_light_moved; /**< Which of them the user has moved; owned. */
     size_t light_count;   /**< Number of lights. */
     Vec3d up_axis;        /**< Axis that the camera turns about, a unit vector. */
+    double move_speed;    /**< Scene units per second of a held key; 0: half the distance to
+                               the camera's target, as lessons without a speed have it. */
 } ViewState;
+
+/**
+ * Finds how fast held keys move camera and lights, so that half a second of a key leaves a lamp in
+ * its room: a quarter of the scene's size per second. Its size is the longest edge of the box of
+ * all bounded shapes and all lights; endless planes do not count. It is at most half the distance
+ * to what the camera looks at: a wide floor may make the box too large.
+ * @return Scene units per second; above 0.
+ */
+double view_state_move_speed(const Scene *scene);
 
 /** Saves camera and lights of a scene. @param[out] view_state To be freed with #view_state_deinit.
  * @return false without memory. */

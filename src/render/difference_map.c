@@ -162,7 +162,7 @@ size_t difference_map_legend(const DifferenceMap *map,
         entries[count] =
             (LegendEntry){.label = is_missing ? N_("in only one of them") : N_("not measured yet"),
                           .position = LEGEND_APART};
-        difference_map_color(map, NAN, entries[count++].rgb);
+        difference_map_color(map, (double)NAN, entries[count++].rgb);
     }
     return count;
 }

@@ -375,7 +375,7 @@ void layer_value_text(Layer layer, const float values[LAYER_VALUES], char text[L
 double layer_difference(Layer layer, const float a[LAYER_VALUES], const float b[LAYER_VALUES]) {
     bool is_a_missing = isnan(a[0]), is_b_missing = isnan(b[0]);
     if (is_a_missing || is_b_missing) {
-        return is_a_missing && is_b_missing && layers[layer].has_missing ? 0 : NAN;
+        return is_a_missing && is_b_missing && layers[layer].has_missing ? 0 : (double)NAN;
     }
     return layers[layer].difference ? layers[layer].difference(a, b) : (double)a[0] - (double)b[0];
 }

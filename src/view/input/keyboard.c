@@ -1,0 +1,118 @@
+/**
+ * @file
+ * @brief Keys that go down and up.
+ */
+#include "view/commands/commands.h"
+#include "view/commands/recorder.h"
+#include "view/input/devices.h"
+#include "view/lesson/player.h"
+
+/** Factor of a move's speed while Shift is held. */
+static const double FAST_FACTOR = 4;
+/** Factor of a move's speed while Ctrl is held: pixel by pixel. */
+static const double FINE_FACTOR = 0.25;
+/** Pixels that an arrow with Ctrl and Shift steps. */
+static const int LARGE_PIXEL_STEP = 10;
+/** Modifiers with which a key is for the window manager. */
+static const int WINDOW_MANAGER_MODIFIERS = KMOD_LALT | KMOD_GUI;
+
+double input_event_time(Uint32 timestamp) {
+    return clock_now_seconds() - (double)(SDL_GetTicks() - timestamp) / 1000;
+}
+
+/** @return Factor of a move's speed. @param modifiers SDL's modifiers that are held. */
+static double speed_factor(int modifiers) {
+    return (modifiers & KMOD_SHIFT ? FAST_FACTOR : 1) * (modifiers & KMOD_CTRL ? FINE_FACTOR : 1);
+}
+
+void keyboard_release_all(App *app, double time) {
+    recorder_on_release_all(app, time);
+    held_keys_release_all(&app->input.held_keys, time);
+}
+
+/** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return
+ * Whether the key is one for that. */
+static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
+    bool is_arrow =
+        command && command->move.subject == MOVE_CAMERA && command->move.axis != MOVE_FORWARD;
+    bool has_pixel = app->window.ray_view.is_open || app->window.magnifier.is_on;
+    if (!is_arrow || !has_pixel || !(modifiers & KMOD_CTRL)) {
+        return false;
+    }
+    if (!app_is_playing(app)) {
+        int step = (modifiers & KMOD_SHIFT ? LARGE_PIXEL_STEP : 1) * command->move.sign;
+        int right = command->move.axis == MOVE_RIGHT ? step : 0;
+        int down = command->move.axis == MOVE_UP ? -step : 0;
+        recorder_on_step(app, "walk(%d, %d)", right, down);
+        app_step_pixel(app, right, down);
+    }
+    return true;
+}
+
+/** @return The command of a key: while rays are shown, Space lets the next one fly. */
+static const Command *in_ray_view(const App *app, const Command *command) {
+    bool flies =
+        app->window.ray_view.is_open && !app_is_playing(app) && command_is(command, "time");
+    return flies ? command_find(app->commands, "fly ray") : command;
+}
+
+/** @return Whether a key with Shift types a question mark: at the places of American, French and
+ *  German keyboards. */
+static bool is_question_mark(SDL_Keysym key) {
+    bool is_place = (key.scancode == SDL_SCANCODE_SLASH && key.sym == SDLK_SLASH) ||
+                    (key.scancode == SDL_SCANCODE_M && key.sym == SDLK_COMMA) ||
+                    (key.scancode == SDL_SCANCODE_MINUS && key.sym == SDLK_QUOTE);
+    return key.sym == SDLK_QUESTION || (is_place && key.mod & KMOD_SHIFT);
+}
+
+/** Handles the keys that all programs have: ?, Ctrl and a letter, Alt and Enter. @param command The
+ *  command of the key; NULL: none. @return Whether it is one of them: a letter with Ctrl is no
+ *  command that has the letter alone. */
+static bool handle_common_key(App *app, SDL_Keysym key, const Command *command) {
+    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL &&
+                     !(command && command->flags & COMMAND_CTRL);
+    const char *name = NULL;
+    if (key.sym == SDLK_RETURN && key.mod & KMOD_ALT) {
+        name = "full screen";
+    } else if (is_question_mark(key)) {
+        name = "help";
+    } else if (is_letter && key.sym == SDLK_q) {
+        command_leave_program(app);
+    }
+    if (name) {
+        command_issue(app, command_find(app->commands, name), input_event_time(SDL_GetTicks()));
+    }
+    return name || is_letter;
+}
+
+void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
+    double time = input_event_time(key->timestamp);
+    bool is_down = key->type == SDL_KEYDOWN;
+    const Command *command =
+        command_find_key(app->commands, key->keysym, app->settings->keys_by_letter);
+    command = command && command->name ? in_ray_view(app, command) : NULL;
+    if (is_down && handle_common_key(app, key->keysym, command)) {
+        return;
+    }
+    if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
+        return;
+    }
+    if (is_down && player_handle_digit(app, key->keysym.scancode)) {
+        return;
+    }
+    double factor = speed_factor(key->keysym.mod);
+    app->input.modifiers = key->keysym.mod;
+    recorder_on_speed(app, factor, time);
+    held_keys_set_speed(&app->input.held_keys, factor, time);
+    if (!is_down && command && command_is_move(command)) {
+        recorder_on_release(app, command, time);
+        held_keys_release(&app->input.held_keys, command->move, time);
+    }
+    bool is_ignored_repeat = key->repeat && !(command && command->flags & COMMAND_REPEATS);
+    if (!is_down || is_ignored_repeat || (key->keysym.mod & WINDOW_MANAGER_MODIFIERS)) {
+        return;
+    }
+    if (!player_handle_command(app, command) && command) {
+        command_issue(app, command, time);
+    }
+}

@@ -202,14 +202,14 @@ static bool fit_window(Window *window) {
     sdl_window_size(&window->sdl, &width, &height);
     int used = height_to_use(window, height - window->fitted_height);
     int added = used - window->fitted_height;
-    window->fitted_height = used;
-    if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED) || added == 0) {
+    if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED)) {
+        window->fitted_height = used;
         return false;
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
-    height += (int)(added / pixels_per_unit(window));
-    SDL_SetWindowSize(window->sdl.window, width, SDL_max(1, height));
-    return true;
+    int change = sdl_window_grow(&window->sdl, (int)(added / pixels_per_unit(window)));
+    window->fitted_height += (int)(change * pixels_per_unit(window));
+    return change != 0;
 }
 
 /** Has the bar laid out: it learns its height in one frame, and has it in the next. */

@@ -44,6 +44,27 @@ static SDL_Renderer *create_renderer(SDL_Window *window) {
     return renderer ? renderer : SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE);
 }
 
+int sdl_window_grow(const SdlWindow *sdl, int units) {
+    int x = 0, y = 0, width = 0, height = 0, above = 0, below = 0;
+    SDL_Rect usable;
+    SDL_GetWindowSize(sdl->window, &width, &height);
+    int grown = SDL_max(1, height + units);
+    int display = SDL_GetWindowDisplayIndex(sdl->window);
+    if (units > 0 && SDL_GetDisplayUsableBounds(SDL_max(0, display), &usable) == 0) {
+        SDL_GetWindowBordersSize(sdl->window, &above, NULL, &below, NULL);
+        SDL_GetWindowPosition(sdl->window, &x, &y);
+        grown = SDL_max(height, SDL_min(grown, usable.h - above - below));
+        int lowest = usable.y + usable.h - below - grown;
+        if (y > lowest) {
+            SDL_SetWindowPosition(sdl->window, x, SDL_max(usable.y + above, lowest));
+        }
+    }
+    if (grown != height) {
+        SDL_SetWindowSize(sdl->window, width, grown);
+    }
+    return grown - height;
+}
+
 bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, Error *error) {
     *sdl = (SdlWindow){0};
     // No smoothing: a class sees the pixels as they were traced.

@@ -32,6 +32,10 @@ typedef struct SdlWindow {
  */
 bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, Error *error);
 
+/** Makes a window higher, or lower: it stays on its screen. @param units Screen units; below 0: lower.
+ *  @return By how much it has grown, screen units: less than asked for on a small screen. */
+int sdl_window_grow(const SdlWindow *sdl, int units);
+
 /** Closes a window, if it is open. */
 void sdl_window_close(SdlWindow *sdl);
 

@@ -2,7 +2,7 @@
  * @file
  * @brief The window's icon: the picture of src/desktop/org.dioptre.Dioptre.svg, drawn anew.
  *
- * All lengths are those of that file, whose side is #SIDE.
+ * All lengths are those of that file.
  */
 #include "view/window/window_icon.h"
 

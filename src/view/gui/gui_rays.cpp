@@ -48,6 +48,7 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
     put_text(ImVec2(low.x + size, corner.y), 0, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
         ImGui::SetScrollHereY();
+        gui_request_frames(current_gui()); // The list knows its height in the next one.
     }
     if (left + size + ImGui::CalcTextSize(text).x > ImGui::GetContentRegionAvail().x) {
         show_tooltip(text);

@@ -4,6 +4,8 @@
  */
 #include "view/panels/ray_view.h"
 
+/** Frames in which the list scrolls to the chosen ray: the first one learns its height. */
+enum { REVEAL_FRAMES = 2 };
 /** Degrees per second that held keys turn the second camera. */
 static const double TURN_PER_SECOND = 45;
 /** Factor of the zoom per second of a held key. */
@@ -51,7 +53,7 @@ static void set_pixel(RayView *ray_view, double x, double y) {
     ray_view->x = SDL_clamp(x, 0, last);
     ray_view->y = SDL_clamp(y, 0, last);
     ray_view->selected = 0;
-    ray_view->is_row_revealed = true;
+    ray_view->frames_to_reveal = REVEAL_FRAMES;
     ray_view->flight_start = 0;
 }
 
@@ -82,7 +84,8 @@ void ray_view_step_pixel(RayView *ray_view, int x, int y) {
 static void redraw_rays(RayView *ray_view) {
     ray_overlay_release(&ray_view->overlay);
     ray_overlay_release(&ray_view->pane_image);
-    ray_view->needs_text = ray_view->needs_present = ray_view->is_row_revealed = true;
+    ray_view->frames_to_reveal = REVEAL_FRAMES;
+    ray_view->needs_text = ray_view->needs_present = true;
 }
 
 void ray_view_choose_ray(RayView *ray_view, size_t ray) {

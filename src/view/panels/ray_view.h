@@ -44,7 +44,7 @@ typedef struct RayView {
     size_t selected;       /**< Index of the chosen ray. */
     unsigned hidden_kinds; /**< Kinds of rays that are hidden: bit i is #RayType i. */
     double flight_start;   /**< When the chosen ray began its flight, seconds; 0: it is still. */
-    bool is_row_revealed;  /**< Whether the list is to scroll to the chosen ray. */
+    int frames_to_reveal;  /**< Frames in which the list scrolls to the chosen ray. */
     bool is_renderer_outdated; /**< Whether the scene was replaced since the second camera's
                                   renderer was created. */
     Viewport viewport;         /**< Viewport of the second camera. */

@@ -72,7 +72,7 @@ static void show_row(RayView *ray_view, const Scene *scene, size_t index) {
     split_color(ray_style(ray)->color, rgb);
     describe_ray(ray, scene, index, text);
     if (gui_list_row((int)index, text, SDL_min(ray->depth, INDENT_MAXIMUM), rgb, is_selected,
-                     is_selected && ray_view->is_row_revealed)) {
+                     is_selected && ray_view->frames_to_reveal > 0)) {
         ray_view->request.has_ray = true;
         ray_view->request.ray = index;
     }
@@ -93,7 +93,9 @@ static void show_rows(RayView *ray_view, const Scene *scene) {
         snprintf(text, sizeof text, gettext("%zu to %zu of %zu rays"), first, last - 1, count);
         gui_list_text("", text);
     }
-    ray_view->is_row_revealed = false;
+    if (count > 0) {
+        ray_view->frames_to_reveal = SDL_max(0, ray_view->frames_to_reveal - 1);
+    }
 }
 
 /** Shows the check boxes of the kinds of rays. */

@@ -13,7 +13,7 @@ typedef struct Candidates {
     real near;          /**< Lower bounds on the distances of the shapes. */
 } Candidates;
 
-/** @return The shapes of a block that a packet may meet. A packet of one ray tests every shape.
+/** @return The shapes of a block that a packet may meet; of a packet of one ray all.
  *  @param block Index in #ShapeSet.linear_bounds. */
 static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *intervals,
                                     size_t block) {
@@ -226,6 +226,17 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask 
 /** @return The intervals of a packet, where they are used: not without shapes. */
 static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) {
     return set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
+}
+
+bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
+    bool may_meet = LANES == 1 || set->bvh.nodes;
+    for (size_t i = 0; !may_meet && i < set->linear_count; i++) {
+        may_meet = shape_exceeds_box(set->linear[i]);
+    }
+    for (size_t block = 0; !may_meet && block < aabb_pack_count(set->linear_count); block++) {
+        may_meet = linear_candidates(set, intervals, block).remaining != 0;
+    }
+    return may_meet;
 }
 
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {

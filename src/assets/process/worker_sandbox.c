@@ -109,6 +109,9 @@ void worker_sandbox_limit(size_t bytes, double seconds) {
     set_limit(RLIMIT_CPU, end < (double)INT32_MAX ? (rlim_t)end : RLIM_INFINITY, RLIM_INFINITY);
     set_limit(RLIMIT_FSIZE, 0, 0);
     set_limit(RLIMIT_NOFILE, DESCRIPTORS_MAXIMUM, DESCRIPTORS_MAXIMUM);
+    // The system compares all processes and threads of the user with it: this process can start
+    // none, neither a thread nor a process, and nobody else is concerned. Root is never counted.
+    set_limit(RLIMIT_NPROC, 0, 0);
 }
 
 // --- the filter ----------------------------------------------------------------------------------
@@ -133,7 +136,10 @@ enum {
     DENY = (int)(SECCOMP_RET_ERRNO | EACCES),
     /** As on an older kernel: the C library then uses an older call. */
     UNKNOWN = (int)(SECCOMP_RET_ERRNO | ENOSYS),
-    NOT_PERMITTED = (int)(SECCOMP_RET_ERRNO | EPERM)
+    NOT_PERMITTED = (int)(SECCOMP_RET_ERRNO | EPERM),
+    /** As where no more threads are allowed; root, too, whom the limit of processes does not stop.
+     */
+    NO_MORE = (int)(SECCOMP_RET_ERRNO | EAGAIN)
 };
 
 /** Condition on an argument of a call, of which the lower 32 bits are compared. */
@@ -205,16 +211,19 @@ static void filter_add_rule(Filter *filter, const FilterRule *rule) {
 /** A call with an action. */
 #define CALL(name, what)                                                                           \
     { .call = SYS_##name, .action = what }
-/** A call that is allowed under a condition. */
-#define CALL_IF(name, which, how, number, otherwise_)                                              \
+/** A call with an action under a condition. */
+#define CALL_WHEN(name, what, which, how, number, otherwise_)                                      \
     {                                                                                              \
-        .call = SYS_##name, .action = ALLOW, .condition = how, .argument = which, .value = number, \
+        .call = SYS_##name, .action = what, .condition = how, .argument = which, .value = number,  \
         .otherwise = otherwise_                                                                    \
     }
+/** A call that is allowed under a condition. */
+#define CALL_IF(name, which, how, number, otherwise_)                                              \
+    CALL_WHEN(name, ALLOW, which, how, number, otherwise_)
 
 /** The rules of a worker; the first ones are the fastest. */
 static const FilterRule rules[] = {
-    // Threads, memory, the file of the request, the socket.
+    // Locks, memory, the file of the request, the socket.
     CALL(futex, ALLOW),
     CALL(read, ALLOW),
     CALL(pread64, ALLOW),
@@ -256,8 +265,9 @@ static const FilterRule rules[] = {
     CALL(restart_syscall, ALLOW),
     CALL_IF(tgkill, 0, CONDITION_SELF, 0, KILL),
     CALL_IF(kill, 0, CONDITION_SELF, 0, KILL),
-    // Threads of this process only; with clone3 the flags are out of the filter's sight.
-    CALL_IF(clone, 0, CONDITION_HAS_BIT, CLONE_THREAD, KILL),
+    // No more threads, as the libraries have theirs when they are loaded, and no processes. With
+    // clone3 the flags are out of the filter's sight.
+    CALL_WHEN(clone, NO_MORE, 0, CONDITION_HAS_BIT, CLONE_THREAD, KILL),
     CALL(clone3, UNKNOWN),
     CALL(set_robust_list, ALLOW),
     CALL(rseq, ALLOW),

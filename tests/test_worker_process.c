@@ -5,6 +5,7 @@
 #include "refused_call.h"
 #include "testing.h"
 
+#include "assets/asset_failure.h"
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
 #include "assets/process/worker_protocol.h"
@@ -418,6 +419,38 @@ static void test_kept_worker(void **state) {
     free(bytes);
 }
 
+/** Where this process has no memory for a result, the worker is not to blame. */
+static void test_no_memory_for_the_result(void **state) {
+    (void)state;
+    enum { SIZE = 1 << 26 };
+    int report = 0;
+    struct rlimit before, limit;
+    char *bytes = calloc(SIZE, 1);
+    unsigned long pages = 0;
+    FILE *use = fopen("/proc/self/statm", "re");
+    assert_true(bytes && use && fscanf(use, "%lu", &pages) == 1);
+    fclose(use);
+    getrlimit(RLIMIT_AS, &before);
+    limit = (struct rlimit){pages * (rlim_t)sysconf(_SC_PAGESIZE) + SIZE / 2, before.rlim_max};
+    WorkerProcess process = {0};
+    WorkerCall call = call_of("echo", bytes, 1, 10, &report);
+    WorkerReply reply = worker_process_call(&process, &call);
+    assert_int_equal(reply.end, WORKER_FINISHED);
+    munmap(reply.block, 1);
+    // The worker runs already, without this limit.
+    call.request_size = SIZE;
+    assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
+    reply = worker_process_call(&process, &call);
+    setrlimit(RLIMIT_AS, &before);
+    free(bytes);
+    assert_int_equal(reply.end, WORKER_NO_MEMORY);
+    const AssetFailure failure = {.reply = &reply, .crash = "%s"};
+    Error error = {0};
+    assert_false(asset_failure_set(&failure, &error));
+    assert_int_equal(error.status, STATUS_FAILED);
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
+}
+
 /** A worker ends with its parent process. */
 static void test_worker_dies_with_its_parent(void **state) {
     (void)state;
@@ -654,12 +687,19 @@ static int run_without_filter(char **words) {
 /** @return 0 if all tests pass. `--without-filter PROGRAM...` runs a program, for scripts. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
-        cmocka_unit_test(test_ends),        cmocka_unit_test(test_processor_time),
-        cmocka_unit_test(test_kept_worker), cmocka_unit_test(test_worker_dies_with_its_parent),
-        cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
-        cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
-        cmocka_unit_test(test_deaf_worker), cmocka_unit_test(test_limit_of_processes),
+        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_processor_time),
+        cmocka_unit_test(test_kept_worker),
+        cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_sandbox),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_floods),
+        cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_early_end),
+        cmocka_unit_test(test_reported_error),
+        cmocka_unit_test(test_deaf_worker),
+        cmocka_unit_test(test_limit_of_processes),
+        cmocka_unit_test(test_no_memory_for_the_result),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);

@@ -140,6 +140,7 @@ typedef struct Exchange {
     double fraction;              /**< Progress, 0 to 1. */
     bool is_ready;                /**< Whether the worker is ready. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
+    bool lacks_memory;            /**< Whether there is no memory for the result. */
 } Exchange;
 
 /** @return Whether the stop flag of the call is set. */
@@ -297,6 +298,7 @@ static bool receive_block(Exchange *exchange, const WorkerFrame *frame, WorkerRe
                               : mmap(NULL, frame->block_size, PROT_READ | PROT_WRITE,
                                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) {
+        exchange->lacks_memory = true;
         return false;
     }
     bool is_received = receive(exchange, block, frame->block_size);
@@ -418,7 +420,9 @@ static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int 
     kill(process->pid, SIGKILL);
     int status = reap(process);
     reply = (WorkerReply){.end = WORKER_EXITED, .is_ready = exchange.is_ready, .seconds = seconds};
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    if (exchange.lacks_memory) {
+        reply.end = WORKER_NO_MEMORY;
+    } else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
         reply.end = WORKER_TIMED_OUT; // At its limit of processor time.
     } else if (WIFSIGNALED(status)) {
         reply.end = WORKER_CRASHED;

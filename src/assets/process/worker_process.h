@@ -28,6 +28,7 @@ typedef enum {
     WORKER_TIMED_OUT,  /**< Ended at the time limit, or by #WorkerMonitor.stop. */
     WORKER_CRASHED,    /**< The process died of a signal. */
     WORKER_EXITED,     /**< The process exited without a result. */
+    WORKER_NO_MEMORY,  /**< This process has no memory for the result. */
     WORKER_NOT_STARTED /**< No process could be started. */
 } WorkerEnd;
 

@@ -98,7 +98,7 @@ WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
 WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(if $(COVERAGE),$(OBJ)/tests/coverage/worker_counters.o)
 # A worker never returns from main: it writes its counters before it replies (tests/coverage).
-COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_sandbox_filter worker_sandbox_limit)
+COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_filter_install worker_sandbox_limit)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:

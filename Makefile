@@ -148,6 +148,8 @@ $(OBJ)/%.o: %.c $(FLAGS) | libraries
 $(GUI_OBJECTS): $(OBJ)/%.o: %.cpp $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(filter-out -fvisibility=hidden,$(CXXFLAGS)) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
+# gcc 12 for ARM64 breaks down when it makes vectors of the loops of this room.
+$(OBJ)/src/render/z_fighting/%.o: CFLAGS += $(if $(filter aarch64,$(MACHINE)),-fno-tree-vectorize)
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 

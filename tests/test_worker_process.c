@@ -443,11 +443,12 @@ static void test_no_memory_for_the_result(void **state) {
     reply = worker_process_call(&process, &call);
     setrlimit(RLIMIT_AS, &before);
     free(bytes);
-    assert_int_equal(reply.end, WORKER_NO_MEMORY);
-    const AssetFailure failure = {.reply = &reply, .crash = "%s"};
+    assert_int_equal(reply.end, WORKER_CUT_OFF);
+    const AssetFailure failure = {.reply = &reply, .no_process = "%s", .crash = "%s"};
     Error error = {0};
     assert_false(asset_failure_set(&failure, &error));
     assert_int_equal(error.status, STATUS_FAILED);
+    assert_string_equal(error.message, "Cannot allocate memory");
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
 }
 

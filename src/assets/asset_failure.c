@@ -15,9 +15,6 @@ bool asset_failure_set(const AssetFailure *failure, Error *error) {
     if (worker_reply_start_failure(reply, reason)) {
         return error_set(error, STATUS_FAILED, failure->no_process, reason);
     }
-    if (reply->end == WORKER_NO_MEMORY) {
-        return error_set(error, STATUS_FAILED, "no memory for what it holds");
-    }
     if (reply->end == WORKER_TIMED_OUT && failure->is_time_shared && !reply->is_stalled) {
         return asset_budget_set_time_error(error);
     }

@@ -114,12 +114,12 @@ const Engine *engine_find(const char *name, Error *error) {
     }
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (strcmp(name, (*engine)->name) == 0) {
-            if (engine_is_supported(*engine)) {
-                return *engine;
+            const char *missing = engine_missing_feature(*engine);
+            if (missing) {
+                error_set(error, STATUS_USAGE, "engine %s needs a processor with %s", name,
+                          missing);
             }
-            error_set(error, STATUS_USAGE, "engine %s needs a processor with %s", name,
-                      engine_missing_feature(*engine));
-            return NULL;
+            return missing ? NULL : *engine;
         }
     }
     error_unknown_engine(name, error);

@@ -26,7 +26,7 @@ enum { KEPT_MAXIMUM = 1 << 15 };
 typedef struct QueuedRay {
     Vec3s origin;                             /**< Its origin. */
     Vec3s direction;                          /**< Its unit direction. */
-    scalar throughput;                        /**< See #RayState. */
+    Rgbs throughput;                          /**< See #RayState. */
     int32_t interior[INTERIOR_LIST_CAPACITY]; /**< The shapes that it is inside of. */
     int32_t turns;                            /**< See #RayState. */
     uint32_t node;                            /**< Where its colour goes. */
@@ -40,15 +40,15 @@ typedef struct QueuedRay {
 typedef struct PathNode {
     Rgbs weight;      /**< The factor of its colour in that of its parent. */
     Rgbs local_color; /**< The colour of its surface alone; black where it was not traced. */
-    scalar dropped;   /**< What ended at its surface: see #Losses. Its own throughput, where it was
+    Rgbs dropped;     /**< What ended at its surface: see #Losses. Its own throughput, where it was
                            not traced. */
-    scalar guarded;   /**< See #Losses. */
+    Rgbs guarded;     /**< See #Losses. */
     scalar rays;      /**< Rays in this node beyond the first; -1 where it was not traced. */
+    scalar sum_rays;  /**< #rays, and those below. */
     Rgbs sum_color;   /**< Its colour, with that of the rays below. */
-    scalar sum_dropped; /**< #dropped, with that of the rays below. */
-    scalar sum_guarded; /**< #guarded, with that of the rays below. */
-    scalar sum_rays;    /**< #rays, and those below. */
-    uint32_t parent;    /**< Index of its parent. */
+    Rgbs sum_dropped; /**< #dropped, with that of the rays below. */
+    Rgbs sum_guarded; /**< #guarded, with that of the rays below. */
+    uint32_t parent;  /**< Index of its parent. */
 } PathNode;
 
 /** The rays of a level. Refracted rays fill it from the front, reflected ones from the back:
@@ -178,6 +178,20 @@ INLINE Rgbs rgb_at(const Rgb *c, int lane) {
     return (Rgbs){real_at(&c->red, lane), real_at(&c->green, lane), real_at(&c->blue, lane)};
 }
 
+/** Adds a colour to a sum. */
+INLINE void rgbs_add_to(Rgbs *sum, Rgbs c) {
+    sum->red += c.red;
+    sum->green += c.green;
+    sum->blue += c.blue;
+}
+
+/** Sets one lane of a colour in memory. */
+INLINE void rgb_set_lane(Rgb *c, int lane, Rgbs value) {
+    real_set_lane(&c->red, lane, value.red);
+    real_set_lane(&c->green, lane, value.green);
+    real_set_lane(&c->blue, lane, value.blue);
+}
+
 /** Stores what the rays of a packet saw, without the rays that start there. */
 static void nodes_store(Wavefront *wavefront, const Packet *packet, const PacketSource *source,
                         const Rgb *colors, const Losses *losses) {
@@ -186,8 +200,8 @@ static void nodes_store(Wavefront *wavefront, const Packet *packet, const Packet
             int lane = __builtin_ctz(left);
             PathNode *node = &wavefront->nodes[source->nodes[v * LANES + lane]];
             node->local_color = rgb_at(&colors[v], lane);
-            node->dropped += real_at(&losses->dropped[v], lane);
-            node->guarded += real_at(&losses->guarded[v], lane);
+            rgbs_add_to(&node->dropped, rgb_at(&losses->dropped[v], lane));
+            rgbs_add_to(&node->guarded, rgb_at(&losses->guarded[v], lane));
         }
     }
 }
@@ -198,7 +212,7 @@ INLINE void queued_ray_store(QueuedRay *ray, const SecondaryRays *secondary, int
     const RayState *rays = &secondary->rays;
     ray->origin = vec3_at(&rays->packet.rays[v].origin, lane);
     ray->direction = vec3_at(&rays->packet.rays[v].direction, lane);
-    ray->throughput = real_at(&rays->throughput[v], lane);
+    ray->throughput = rgb_at(&rays->throughput[v], lane);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
         ray->interior[i] = integer_at(&rays->interior[v].shapes[i], lane);
     }
@@ -231,7 +245,7 @@ static void secondary_rays_queue(Wavefront *wavefront, scalar cutoff, const Pack
         unsigned left = mask_bits(rays->packet.active[v]);
         // Only overridden surfaces count no turn; the weight is 1 there, and the colour black.
         unsigned passing = left & mask_bits(rays->turns[v] == turns[v]);
-        unsigned heavy = mask_bits(rays->throughput[v] >= cutoff);
+        unsigned heavy = mask_bits(rgb_max(rays->throughput[v]) >= cutoff);
         for (; left; left &= left - 1) {
             int lane = __builtin_ctz(left), i = v * LANES + lane;
             uint32_t node = source->nodes[i];
@@ -246,7 +260,7 @@ static void secondary_rays_queue(Wavefront *wavefront, scalar cutoff, const Pack
                 ++*count;
             } else {
                 ray = &wavefront->kept[wavefront->kept_count++];
-                wavefront->nodes[node].dropped = real_at(&rays->throughput[v], lane);
+                wavefront->nodes[node].dropped = rgb_at(&rays->throughput[v], lane);
                 wavefront->nodes[node].rays = -1;
             }
             queued_ray_store(ray, secondary, v, lane, node, source->samples[i]);
@@ -297,7 +311,7 @@ INLINE void queued_ray_load(const QueuedRay *ray, GatheredPacket *gathered, int 
     real_set_lane(&to->direction.x, lane, ray->direction.x);
     real_set_lane(&to->direction.y, lane, ray->direction.y);
     real_set_lane(&to->direction.z, lane, ray->direction.z);
-    real_set_lane(&rays->throughput[v], lane, ray->throughput);
+    rgb_set_lane(&rays->throughput[v], lane, ray->throughput);
     integer_set_lane(&rays->turns[v], lane, ray->turns);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
         integer_set_lane(&gathered->interior[v].shapes[i], lane, ray->interior[i]);
@@ -381,8 +395,8 @@ static void nodes_add_up(PathNode *nodes, unsigned root_count, unsigned count) {
         parent->sum_color.red += node->weight.red * node->sum_color.red;
         parent->sum_color.green += node->weight.green * node->sum_color.green;
         parent->sum_color.blue += node->weight.blue * node->sum_color.blue;
-        parent->sum_dropped += node->sum_dropped;
-        parent->sum_guarded += node->sum_guarded;
+        rgbs_add_to(&parent->sum_dropped, node->sum_dropped);
+        rgbs_add_to(&parent->sum_guarded, node->sum_guarded);
         parent->sum_rays += node->sum_rays + 1;
     }
 }
@@ -393,11 +407,9 @@ static void camera_packet_set_results(const PathNode *nodes, CameraPacket *packe
         for (unsigned left = mask_bits(packet->lanes[v]); left; left &= left - 1) {
             int lane = __builtin_ctz(left);
             const PathNode *node = &nodes[v * LANES + lane];
-            real_set_lane(&packet->colors[v].red, lane, node->sum_color.red);
-            real_set_lane(&packet->colors[v].green, lane, node->sum_color.green);
-            real_set_lane(&packet->colors[v].blue, lane, node->sum_color.blue);
-            real_set_lane(&packet->losses.dropped[v], lane, node->sum_dropped);
-            real_set_lane(&packet->losses.guarded[v], lane, node->sum_guarded);
+            rgb_set_lane(&packet->colors[v], lane, node->sum_color);
+            rgb_set_lane(&packet->losses.dropped[v], lane, node->sum_dropped);
+            rgb_set_lane(&packet->losses.guarded[v], lane, node->sum_guarded);
             real_set_lane(&packet->losses.rays[v], lane, node->sum_rays);
         }
     }
@@ -474,7 +486,8 @@ bool wavefront_trace(Wavefront *wavefront, const TraceContext *context, scalar l
 /** Queues a ray that was kept. */
 static void kept_ray_queue(Wavefront *wavefront, const QueuedRay *ray, RayCounts *counts) {
     PathNode *node = &wavefront->nodes[ray->node];
-    node->dropped = node->rays = 0;
+    node->dropped = (Rgbs){0};
+    node->rays = 0;
     *ray_queue_add(&wavefront->level, ray->is_refracted) = *ray;
     *(ray->is_refracted ? &counts->refraction : &counts->reflection) += 1;
 }

@@ -88,6 +88,15 @@ expect 0 'some .* will lack light.*of the camera rays lack light' 'render says b
 expect 0 '' 'info of panes' "$dioptre" info tests/scenes/five-panes.lua -s 64x48
 holds "$work/out" '^missing light +[1-9][0-9]* of [0-9]+ camera rays lack more than the cutoff, at most [0-9.]+ steps$' 'info says what light will be missing'
 expect 0 '' 'render of a box says nothing of the kind' "$dioptre" render "$box" -s 64x48 -o "$work/panes.bmp"
+for normals in smooth flat; do
+    printf '%s\n' 'camera { position = {0, 0, 4} }' "mesh { file = \"spot-low.obj\", normals = \"$normals\"," \
+        'material = material { transparency = 1, ior = 1.5 } }' >"$work/$normals.lua"
+done
+cp scenes/models/spot-low.obj "$work"
+expect 0 'line 2: glass with smooth normals' 'render says that smooth glass is fragile' \
+    "$dioptre" render "$work/smooth.lua" -s 16x12 -o "$work/panes.bmp"
+expect 0 '' 'and nothing of flat glass' "$dioptre" render "$work/flat.lua" -s 16x12 -o "$work/panes.bmp"
+[ ! -s "$work/err" ] && ok 'not a word' || fail "of flat glass: $(cat "$work/err")"
 # A name that is not UTF-8, has quotes and a control character: what comes out is JSON all the same.
 odd=$work/$(printf 'odd\377"\\\001\303\251.lua')
 cp "$box" "$odd"

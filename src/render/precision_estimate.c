@@ -223,6 +223,9 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     if (is_bounded && aabbd_distance(&facts->bounds, measures->scene->camera.position) == 0) {
         measures->room_reflectance = fmax(measures->room_reflectance, reflectance);
     }
+    if (transmittance > 0 && facts->is_smooth && measures->estimate->smooth_glass_line == 0) {
+        measures->estimate->smooth_glass_line = shape->origin.line;
+    }
     if (transmittance > 0 && is_bounded && measures->glass_count < WALLS_MAXIMUM) {
         measures->glass[measures->glass_count++] = (GlassShape){.bounds = facts->bounds,
                                                                 .is_flat = is_flat,

@@ -408,9 +408,9 @@ static void test_latency(void **state) {
     assert_int_equal(latency_summary(&latency).count, 0);
     latency_on_presented(&latency, 1);
     for (int i = 1; i <= 300; i++) {
-        latency_on_key(&latency, 10 * i);
+        latency_on_input(&latency, 10 * i);
         latency_on_draw_started(&latency);
-        latency_on_key(&latency, 10 * i + 5); /* came too late for this drawing */
+        latency_on_input(&latency, 10 * i + 5); /* came too late for this drawing */
         latency_on_presented(&latency, 10 * i + (i <= 200 ? 0.25 : 0.5));
         latency_discard_pending(&latency);
     }
@@ -426,7 +426,7 @@ static void test_latency_many(void **state) {
     (void)state;
     Latency latency = {0};
     for (int i = 0; i < 2 * LATENCY_PENDING_MAXIMUM; i++) {
-        latency_on_key(&latency, i);
+        latency_on_input(&latency, i);
     }
     latency_on_draw_started(&latency);
     latency_on_presented(&latency, LATENCY_PENDING_MAXIMUM);

@@ -600,6 +600,6 @@ void command_issue(App *app, const Command *command, double time) {
     if (!app_is_recording(app)) {
         held_keys_press(&app->input.held_keys, command->move, time);
     }
-    latency_on_key(&app->window.latency, time);
+    latency_on_input(&app->window.latency, time);
     app->input.next_move_time = 0;
 }

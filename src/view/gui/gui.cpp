@@ -81,8 +81,9 @@ bool is_keyboard_event(const SDL_Event *event) {
     return event->type == SDL_KEYDOWN || event->type == SDL_KEYUP || event->type == SDL_TEXTINPUT;
 }
 
-/** Frees the texture of the letters. */
+/** Frees the texture of the letters, and the panels that were drawn with it. */
 void release_letters(Gui *gui) {
+    forget_panels(&gui->kept);
     if (gui->letters) {
         SDL_DestroyTexture(gui->letters);
     }
@@ -113,26 +114,6 @@ void create_letters(Gui *gui, float size) {
     }
     atlas->SetTexID(gui->letters);
     gui->letter_size = size;
-}
-
-/** Draws one list of commands, in units of the window. */
-void draw_list(SDL_Renderer *renderer, const ImDrawList *list) {
-    const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data);
-    for (const ImDrawCmd &command : list->CmdBuffer) {
-        const ImVec4 &clip = command.ClipRect;
-        SDL_Rect rect = {static_cast<int>(clip.x), static_cast<int>(clip.y),
-                         static_cast<int>(clip.z - clip.x), static_cast<int>(clip.w - clip.y)};
-        const char *first = vertices + command.VtxOffset * sizeof(ImDrawVert);
-        SDL_RenderSetClipRect(renderer, &rect);
-        SDL_RenderGeometryRaw(
-            renderer, static_cast<SDL_Texture *>(command.GetTexID()),
-            reinterpret_cast<const float *>(first + offsetof(ImDrawVert, pos)), sizeof(ImDrawVert),
-            reinterpret_cast<const SDL_Color *>(first + offsetof(ImDrawVert, col)),
-            sizeof(ImDrawVert), reinterpret_cast<const float *>(first + offsetof(ImDrawVert, uv)),
-            sizeof(ImDrawVert), static_cast<int>(list->VtxBuffer.Size - command.VtxOffset),
-            list->IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
-            sizeof(ImDrawIdx));
-    }
 }
 
 } // namespace
@@ -245,13 +226,9 @@ void gui_begin_frame(Gui *gui, float text_size) {
 void gui_end_frame(Gui *gui) {
     ImGui::Render();
     const ImDrawData *data = ImGui::GetDrawData();
-    ImVec2 scale = data->FramebufferScale;
-    SDL_RenderSetScale(gui->renderer, scale.x, scale.y);
-    for (int i = 0; gui->letters && i < data->CmdListsCount; i++) {
-        draw_list(gui->renderer, data->CmdLists[i]);
+    if (gui->letters) {
+        draw_frame(gui->renderer, data, &gui->kept);
     }
-    SDL_RenderSetClipRect(gui->renderer, nullptr);
-    SDL_RenderSetScale(gui->renderer, 1, 1);
     gui->due_frames -= gui->due_frames > 0;
 }
 

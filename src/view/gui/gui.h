@@ -244,9 +244,9 @@ void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side)
 /** @return The height of what #gui_readout shows. */
 float gui_readout_height(void);
 
-/** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
- *  sRGB. @param corner The lower left corner. */
-void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
+/** Shows a colour and a text beside it, in lines as wide as the window. @param id Unique to it; not
+ *  shown. @param rgb The colour, sRGB. @param corner The lower left corner. */
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
 void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
@@ -332,13 +332,18 @@ typedef struct GuiLegend {
     int note_count;                /**< Number of them. */
 } GuiLegend;
 
-/**
- * Draws a legend.
- * @param corner    Its lower corner, on the side that \p is_right says.
- * @param highest   Largest height, pixels of the window: the bar shrinks.
- * @param is_right  Whether the corner is the right one.
- */
-void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right);
+/** Where a legend lies. */
+typedef struct GuiLegendPlace {
+    GuiPoint corner;      /**< Its lower corner, on the side that #is_right says. */
+    float highest;        /**< Largest height, pixels of the window: the bar shrinks. */
+    bool is_right;        /**< Whether the corner is the right one. */
+    const GuiRect *taken; /**< Panels that it must not touch: they were asked for. */
+    int taken_count;      /**< Number of them. */
+} GuiLegendPlace;
+
+/** Draws a legend, unless it would touch what is taken. @param id Unique to it; not shown.
+ *  @return Where it lies; of height 0: nowhere. */
+GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place);
 
 /** Draws a ring around a pixel, seen on light and dark ground. */
 void gui_ring(GuiPoint center, float radius);

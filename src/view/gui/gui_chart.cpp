@@ -147,9 +147,9 @@ float draw_chart_list(ImDrawList *list, const GuiChart *chart, ImVec2 low, float
 extern "C" {
 
 void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
     const float line = ImGui::GetFontSize(), gap = PADDING * line;
     ImVec2 low(corner.x, corner.y), high(corner.x + size.x, corner.y + size.y);
+    ImDrawList *list = begin_value("chart", low, high);
     list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
     const float width = size.x - 2 * gap;
     ImVec2 at(low.x + gap, low.y + gap);
@@ -171,6 +171,7 @@ void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
     draw_chart_grid(list, area);
     draw_chart_front(list, chart, area);
     draw_chart_points(list, chart, area);
+    end_value(list);
 }
 
 } // extern "C"

@@ -228,6 +228,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
+    window_fold_large_toolbar(window);
     window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
@@ -237,6 +238,9 @@ bool window_on_resize(Window *window) {
         window_invalidate(window);
     }
     window_present(window);
+    if (window_fold_large_toolbar(window)) {
+        window_on_resize(window); // In letters of the new size it was too large.
+    }
     return is_other;
 }
 

@@ -33,6 +33,9 @@ GuiRect window_area_below_button(const Window *window);
 /** @return The height of letters, screen units. The bar does not count, as it grows with them. */
 float window_text_size(const Window *window);
 
+/** Folds the bar if it takes too much of the window. @return Whether it did. */
+bool window_fold_large_toolbar(Window *window);
+
 /* --- one frame ---------------------------------------------------------------------------------- */
 
 /** Draws the pictures, or the rays. */
@@ -77,6 +80,9 @@ void window_set_hint(Window *window);
 /** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
  *  the room for them. */
 void window_show_messages(const Window *window, int width, float bottom);
+
+/** @return The height that the messages take at the lower edge, screen units. */
+float window_messages_height(const Window *window);
 
 /** Shows that a lesson is recorded, in the upper right corner of the picture. */
 void window_show_recording_sign(const Window *window, int width);

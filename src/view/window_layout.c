@@ -191,14 +191,24 @@ void window_relayout_toolbar(Window *window) {
     window_on_resize(window);
 }
 
+/** @return Whether the bar takes too much of the window. */
+static bool is_toolbar_large(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return window_area_below_toolbar(window).y > TOOLBAR_FRACTION_MAXIMUM * height;
+}
+
+bool window_fold_large_toolbar(Window *window) {
+    bool is_large = is_toolbar_large(window);
+    window->toolbar.is_folded = window->toolbar.is_folded || is_large;
+    return is_large;
+}
+
 /** Shows or hides the toolbar. @return false if the window is too small: it stays hidden. */
 static bool set_toolbar_folded(Window *window, bool is_folded) {
-    int width = 0, height = 0;
     window->toolbar.is_folded = is_folded;
     layout_toolbar(window);
-    sdl_window_size(&window->sdl, &width, &height);
-    bool is_too_small = window_area(window).y > TOOLBAR_FRACTION_MAXIMUM * height;
-    window->toolbar.is_folded = is_folded || is_too_small;
+    bool is_too_small = window_fold_large_toolbar(window);
     window_relayout_toolbar(window);
     return !is_too_small;
 }

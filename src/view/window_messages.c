@@ -68,11 +68,22 @@ void window_show_recording_sign(const Window *window, int width) {
     }
 }
 
+/** @return The message at the lower edge: the newest one, else the hint; empty: none. */
+static const char *message_text(const Window *window) {
+    const char *text = window->toast.text[0] != '\0' ? window->toast.text : window->hint.text;
+    return strcmp(text, window->notice.text) == 0 ? "" : text;
+}
+
+float window_messages_height(const Window *window) {
+    const char *text = message_text(window);
+    return text[0] != '\0' ? gui_message_height(text) + gui_text_size() / 2 : 0;
+}
+
 void window_show_messages(const Window *window, int width, float bottom) {
-    const Toast *toast = window->toast.text[0] != '\0' ? &window->toast : &window->hint;
-    if (toast->text[0] != '\0' && strcmp(toast->text, window->notice.text) != 0) {
-        gui_message("toast", toast->text,
-                    (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2}, GUI_ABOVE);
+    const char *text = message_text(window);
+    if (text[0] != '\0') {
+        gui_message("toast", text, (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2},
+                    GUI_ABOVE);
     }
 }
 

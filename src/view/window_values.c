@@ -174,7 +174,10 @@ static void show_magnifier(const Window *window) {
     GuiPoint point = {(float)(picture.x + (pixel->x + 0.5) / viewport->width * picture.w),
                       (float)(picture.y + (pixel->y + 0.5) / viewport->height * picture.h)};
     gui_ring(point, MAGNIFIED_RADIUS * gui_text_size());
-    gui_pixels(&pixels, point, window->toolbar.is_folded ? 0 : window->toolbar.height);
+    char text[READOUT_SIZE];
+    pixel_readout_write(&readout, text);
+    SDL_Rect area = window_to_units(window, window_area(window));
+    gui_pixels(&pixels, point, (float)area.y, (float)(area.y + area.h) - gui_readout_height(text));
 }
 
 void window_follow_mouse(Window *window) {

@@ -110,6 +110,17 @@ static void show_lesson_panel(Window *window) {
     }
 }
 
+/** Shows the name of a new layer in a presentation. @param[in,out] area The part of the window for
+ *  panels; becomes that below the name. */
+static void show_layer_name(const Window *window, GuiRect *area) {
+    if (window->layer_name.text[0] != '\0') {
+        GuiPoint top = {area->x + area->width / 2, area->y + gui_text_size()};
+        float taken = gui_title(window->layer_name.text, top) - area->y;
+        area->y += taken;
+        area->height = SDL_max(1, area->height - taken);
+    }
+}
+
 void window_show_widgets(Window *window) {
     int width = 0, height = 0;
     if (!window->gui) {
@@ -125,6 +136,7 @@ void window_show_widgets(Window *window) {
     }
     show_cursor(window);
     GuiRect area = window_area_below_button(window);
+    show_layer_name(window, &area);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
     if (window->help.is_open) {
@@ -132,11 +144,14 @@ void window_show_widgets(Window *window) {
     } else if (window->browser.is_open) {
         browser_show(&window->browser, window->sdl.renderer, &area);
     } else {
-        area.height = SDL_max(1, area.height - gui_readout_height());
+        area.height = SDL_max(1, area.height - gui_readout_height(""));
         show_light_marks(window);
         show_object_inspector(window);
         window_follow_mouse(window);
-        window_show_huds(window, &area);
+        GuiRect above_message = area;
+        above_message.height =
+            SDL_max(1, area.height - window_messages_height(window));
+        window_show_huds(window, &above_message);
         window_show_values(window);
         window_show_readout(window);
         show_rays(window);
@@ -146,9 +161,6 @@ void window_show_widgets(Window *window) {
     }
     window_show_recording_sign(window, width);
     window_show_messages(window, width, bottom);
-    if (window->layer_name.text[0] != '\0') {
-        gui_title(window->layer_name.text, (GuiPoint){(float)width / 2, area.y + gui_text_size()});
-    }
     gui_end_frame(window->gui);
 }
 

@@ -83,8 +83,8 @@ void gui_set_cursor(GuiCursor cursor);
 /** Shows the mouse as a large ring, which a class sees, or as usual. */
 void gui_set_ring(Gui *gui, bool is_wanted);
 
-/** Writes a text in very large letters. @param top Middle of its upper edge. */
-void gui_title(const char *text, GuiPoint top);
+/** Writes a text in very large letters. @param top Middle of its upper edge. @return Its lower end. */
+float gui_title(const char *text, GuiPoint top);
 
 /* --- the palette ------------------------------------------------------------------------------ */
 
@@ -241,8 +241,11 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
-/** @return The height of what #gui_readout shows. */
-float gui_readout_height(void);
+/** @return The height of what #gui_message shows. */
+float gui_message_height(const char *text);
+
+/** @return The height of what #gui_readout shows at the left edge. */
+float gui_readout_height(const char *text);
 
 /** Shows a colour and a text beside it, in lines as wide as the window. @param id Unique to it; not
  *  shown. @param rgb The colour, sRGB. @param corner The lower left corner. */
@@ -359,9 +362,10 @@ typedef struct GuiPixels {
 /**
  * Draws pixels as squares with lines between them; the one in the middle has a frame.
  * @param point  What they are of; they lie beside it, inside the window.
- * @param top    Upper edge of the free part of the window.
+ * @param top     Upper edge of the free part of the window.
+ * @param bottom  Its lower edge.
  */
-void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top, float bottom);
 
 /** A point of a chart. */
 typedef struct GuiChartPoint {

@@ -74,6 +74,9 @@ ImVec4 clipped(ImVec2 low, ImVec2 high);
 /** Records the label of the last widget, which is cut where the widget ends. */
 void record_label(const char *label);
 
+/** Records the label of the last widget, which stands at its right end. */
+void record_right_label(const char *label);
+
 /** @return The size of a text. @param width Width of lines; 0: they are not broken. */
 ImVec2 text_extent(const char *text, float width);
 

@@ -121,17 +121,23 @@ void draw_legend(const char *id, const GuiLegend *legend, const LegendLayout &la
     end_value(list);
 }
 
+/** @return The width of the text of a readout. @param left Its left end. */
+float readout_width(float left) {
+    const float size = ImGui::GetFontSize();
+    return ImGui::GetIO().DisplaySize.x - left - 2 * size - 3 * PADDING * size;
+}
+
 } // namespace
 
 extern "C" {
 
-float gui_readout_height() {
-    return (1 + 2 * PADDING) * ImGui::GetFontSize();
+float gui_readout_height(const char *text) {
+    return text_extent(text, readout_width(0)).y + 2 * PADDING * ImGui::GetFontSize();
 }
 
 void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner) {
     float size = ImGui::GetFontSize(), gap = PADDING * size;
-    float widest = ImGui::GetIO().DisplaySize.x - corner.x - 2 * size - 3 * gap;
+    float widest = readout_width(corner.x);
     ImVec2 area = text_extent(text, widest);
     ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
     ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
@@ -169,18 +175,18 @@ void gui_ring(GuiPoint center, float radius) {
     list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
 }
 
-void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top, float bottom) {
     ImDrawList *list = ImGui::GetBackgroundDrawList();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize(), gap = PADDING * line;
     const float columns = static_cast<float>(pixels->columns);
     const float rows = static_cast<float>(pixels->rows);
-    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * (bottom - top) / rows)), 3);
     float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
     float height = cell * rows + line + 3 * gap;
     float left =
         point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
-    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    float upper = point.y + height / 2 < bottom ? point.y - height / 2 : bottom - height;
     ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
     list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
                         ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);

@@ -52,6 +52,10 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
+/** Gives the keyboard to the inspector of objects until Esc, or until it is closed. @return false
+ *  without it. */
+bool gui_give_keyboard(Gui *gui);
+
 /** Closes the list that is open. @return Whether there was one. */
 bool gui_close_list(Gui *gui);
 

@@ -54,6 +54,10 @@ struct Gui {
     ImFont *heading;          /**< The letters of headings. */
     SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
+    bool has_keyboard;        /**< Whether the inspector has the keyboard. */
+    bool is_inspecting;       /**< Whether this frame shows the inspector. */
+    bool has_text_input;      /**< Whether the system is asked for letters. */
+    bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */

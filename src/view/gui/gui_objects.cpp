@@ -140,9 +140,20 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
     ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    Gui *gui = current_gui();
+    if (gui->takes_focus) {
+        ImGui::SetNextWindowFocus();
+    }
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                     (gui->has_keyboard ? 0 : ImGuiWindowFlags_NoNav) |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    if (gui->takes_focus) {
+        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true); // Its first field is chosen.
+        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+        gui->takes_focus = false;
+    }
+    gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger.
     ImVec2 corner = ImGui::GetWindowPos();
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),

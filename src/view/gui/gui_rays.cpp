@@ -53,7 +53,10 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
     list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
     put_text(ImVec2(low.x + size, corner.y), room, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
-        ImGui::SetScrollHereY();
+        // Always the same place, wherever the list was scrolled to.
+        float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2 -
+                       ImGui::GetWindowPos().y + ImGui::GetScrollY();
+        ImGui::SetScrollY(floorf(fmaxf(0, middle - ImGui::GetWindowHeight() / 2)));
         gui_request_frames(current_gui()); // The list knows its height in the next one.
     }
     ImGui::PopID();

@@ -109,9 +109,11 @@ bool app_is_time_settled(const App *app) {
 
 /* --- the view --------------------------------------------------------------------------------- */
 
-void app_note_move(App *app) {
-    view_history_note(&app->moves, &app->home_view, app->scene, edit_history_in_force(&app->edits),
-                      app_clock(app));
+/** The user is about to move camera or lights: it can be undone. @param subject See
+ *  #ViewStep.subject. */
+static void note_move(App *app, size_t subject) {
+    const ViewStep step = {.edits = edit_history_in_force(&app->edits), .subject = subject};
+    view_history_note(&app->moves, &app->home_view, app->scene, &step, app_clock(app));
     edit_history_forget_undone(&app->edits);
 }
 
@@ -137,7 +139,7 @@ void app_move(App *app, Movement light, Movement camera) {
     bool is_light_moved =
         movement_is_nonzero(light) && app->selected_light < app->scene->light_count;
     if (is_light_moved || movement_is_nonzero(camera)) {
-        app_note_move(app);
+        note_move(app, movement_is_nonzero(camera) ? VIEW_SUBJECT_ALL : app->selected_light);
         view_state_move(&app->home_view, app->scene, app->selected_light, light, camera,
                         app->input.camera_motion);
         app_on_view_changed(app);
@@ -152,7 +154,7 @@ void app_move(App *app, Movement light, Movement camera) {
 void app_drag_light(App *app, size_t light, Vec3d offset) {
     if (light < app->scene->light_count) {
         app->selected_light = light;
-        app_note_move(app);
+        note_move(app, light);
         app->home_view.is_light_moved[light] = true;
         scene_light_move(&app->scene->lights[light], offset, app->scene->camera.target_distance);
         app_on_view_changed(app);
@@ -164,7 +166,7 @@ void app_turn(App *app, double right, double up) {
         ray_view_turn(&app->window.ray_view, right, up);
         return;
     }
-    app_note_move(app);
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -175,7 +177,7 @@ void app_orbit(App *app, double right, double up, Vec3d center) {
         ray_view_turn(&app->window.ray_view, right, up);
         return;
     }
-    app_note_move(app);
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_orbit(&app->scene->camera, app->home_view.up_axis, center, right, up);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -183,7 +185,7 @@ void app_orbit(App *app, double right, double up, Vec3d center) {
 
 void app_pan(App *app, double right, double up) {
     if (!app->window.ray_view.is_open) {
-        app_note_move(app);
+        note_move(app, VIEW_SUBJECT_ALL);
         scene_camera_move(&app->scene->camera, right, up, 0);
         app->home_view.is_camera_moved = true;
         app_on_view_changed(app);
@@ -195,7 +197,7 @@ void app_zoom(App *app, double notches) {
         ray_view_move(&app->window.ray_view, (Movement){.forward = notches * FORWARD_PER_NOTCH});
         return;
     }
-    app_note_move(app);
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -220,7 +222,7 @@ void app_choose_ray(App *app, size_t ray) {
 
 void app_reset_view(App *app) {
     ray_view_reset_camera(&app->window.ray_view);
-    app_note_move(app);
+    note_move(app, VIEW_SUBJECT_ALL);
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);

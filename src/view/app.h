@@ -235,9 +235,6 @@ bool app_is_time_settled(const App *app);
 
 /* --- the view --------------------------------------------------------------------------------- */
 
-/** The user is about to move camera or lights: it can be undone. */
-void app_note_move(App *app);
-
 /** The view has changed: the picture is drawn again. */
 void app_on_view_changed(App *app);
 

@@ -22,10 +22,11 @@ void view_history_clear(ViewHistory *history) {
 }
 
 void view_history_note(ViewHistory *history, const ViewState *home, const Scene *scene,
-                       size_t edits, double now) {
+                       const ViewStep *step, double now) {
+    const ViewStep *last = history->done > 0 ? &history->steps[history->done - 1] : NULL;
     bool continues = history->last_time > 0 && now - history->last_time < GROUP_SECONDS &&
-                     history->done == history->count && history->done > 0 &&
-                     history->steps[history->done - 1].edits == edits;
+                     history->done == history->count && last && last->edits == step->edits &&
+                     last->subject == step->subject;
     history->last_time = now;
     if (continues) {
         return;
@@ -35,9 +36,9 @@ void view_history_note(ViewHistory *history, const ViewState *home, const Scene 
         view_state_deinit(&history->steps[0].view);
         memmove(history->steps, history->steps + 1, --history->count * sizeof history->steps[0]);
     }
-    ViewStep step = {.edits = edits};
-    if (view_state_save_current(&step.view, home, scene, NULL)) {
-        history->steps[history->count++] = step;
+    ViewStep noted = {.edits = step->edits, .subject = step->subject};
+    if (view_state_save_current(&noted.view, home, scene, NULL)) {
+        history->steps[history->count++] = noted;
     }
     history->done = history->count;
 }

@@ -12,11 +12,14 @@
 
 /** Most moves that are kept; the oldest goes. */
 enum { VIEW_STEPS_MAXIMUM = 64 };
+/** The camera, or everything, as the subject of a move. */
+#define VIEW_SUBJECT_ALL SIZE_MAX
 
 /** One move, of a key that is held or of a drag. */
 typedef struct ViewStep {
     ViewState view; /**< Camera and lights before it; once it is undone, after it; owned. */
     size_t edits;   /**< Number of edits that were in force. */
+    size_t subject; /**< Index of the light that was moved; #VIEW_SUBJECT_ALL: camera, or all. */
 } ViewStep;
 
 /** The moves. Starts as `{0}`: none. */
@@ -34,13 +37,13 @@ void view_history_clear(ViewHistory *history);
 void view_history_forget_undone(ViewHistory *history);
 
 /**
- * Notes where camera and lights are, before they move. Moves that follow within half a second belong
- * to the one before. Without memory, the move cannot be undone.
- * @param edits  Number of edits in force.
- * @param now    Seconds.
+ * Notes where camera and lights are, before they move. Moves of the same thing that follow within
+ * half a second belong to the one before. Without memory, the move cannot be undone.
+ * @param step  The move: edits in force and subject; its view is not looked at.
+ * @param now   Seconds.
  */
 void view_history_note(ViewHistory *history, const ViewState *home, const Scene *scene,
-                       size_t edits, double now);
+                       const ViewStep *step, double now);
 
 /** Takes the last move back, if it was made after the last edit. @return Whether it was. */
 bool view_history_undo(ViewHistory *history, ViewState *home, Scene *scene, size_t edits);

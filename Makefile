@@ -276,7 +276,7 @@ test: test-packages
 	@$(MAKE) --no-print-directory tsan
 	@tests/run.sh
 
-tests: $(TESTS) $(BUILD)/tests/faults.so
+tests: $(TESTS) $(BUILD)/tests/faults.so $(CATALOGUES)
 
 # Makes calls to the system fail; never linked, but preloaded.
 $(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)

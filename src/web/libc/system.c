@@ -2,8 +2,9 @@
  * @file
  * @brief Functions of GNU's C library and of Linux that a page lacks.
  */
+#include "web/waits.h"
+
 #include <dlfcn.h>
-#include <emscripten/threading.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -21,7 +22,7 @@
 /** Says how many processors the browser tells. See sched_getaffinity(2). @return 0 */
 int sched_getaffinity(pid_t process, size_t size, cpu_set_t *set) {
     CPU_ZERO_S(size, set);
-    for (int i = 0; i < emscripten_num_logical_cores(); i++) {
+    for (int i = 0; i < waits_processor_count(); i++) {
         CPU_SET_S(i, size, set);
     }
     return 0;

@@ -168,14 +168,30 @@ static void fiber_main(void *argument) {
     leave_turn();
 }
 
+/** Stack of a fiber without attributes, bytes: it traces no rays. */
+enum { STACK_SIZE = 1 << 20 };
+
+/** Attributes of a fiber, in the memory of pthread's: those of the C library without threads do nothing. */
+typedef struct Attributes {
+    size_t stack_size; /**< Bytes of its stack. */
+} Attributes;
+
+/** See pthread_attr_init(3). @return 0 */
+int __wrap_pthread_attr_init(pthread_attr_t *attributes) {
+    ((Attributes *)attributes)->stack_size = STACK_SIZE;
+    return 0;
+}
+
+/** See pthread_attr_setstacksize(3). @return 0 */
+int __wrap_pthread_attr_setstacksize(pthread_attr_t *attributes, size_t size) {
+    ((Attributes *)attributes)->stack_size = size;
+    return 0;
+}
+
 /** Starts a fiber. See pthread_create(3). */
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
                           void *(*function)(void *), void *argument) {
-    size_t stack_size = 0;
-    if (attributes) {
-        pthread_attr_getstacksize(attributes, &stack_size);
-    }
-    stack_size = stack_size < (1 << 20) ? 1 << 20 : stack_size;
+    size_t stack_size = attributes ? ((const Attributes *)attributes)->stack_size : STACK_SIZE;
     Fiber *fiber = calloc(1, sizeof *fiber);
     void *stack = aligned_alloc(16, stack_size);
     if (!fiber || !stack) {

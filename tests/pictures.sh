@@ -146,6 +146,14 @@ libraries() { LD_DEBUG=files "$release" render "$2" -o "$work/o.bmp" -s 8x8 2>&1
 sky good-one.png
 [ "$(libraries libOpenImageIO "$work/s.lua")" = 0 ] && ok 'a PNG: the library is the worker'"'"'s alone' ||
     fail 'a PNG loads OpenImageIO into the program'
+# Whether a worker loads the module that brings this library, a module tells that ends its process at once.
+echo '#include <unistd.h>
+__attribute__((constructor)) static void end(void) { _exit(9); }' >"$work/ends.c"
+"${CC:-cc}" -shared -fPIC -o "$work/bin/dioptre-images.so" "$work/ends.c"
+expect 1 's.lua:2: good-one.png: ' 'a PNG: a worker loads the module' "$work/bin/dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 8x8
+sky box.bmp
+expect 0 '' 'BMP: no worker loads it' "$work/bin/dioptre" render "$work/s.lua" -o "$work/o.bmp" -s 8x8
+sky good-one.png
 
 # --- files that are written --------------------------------------------------------------------------
 printf 'camera {} sky { color = {4, 0.1, 1e-5} }' >"$work/s.lua"

@@ -10,7 +10,7 @@
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
 #include "view/lesson/answer_file.h"
-#include "view/lesson/player.h"
+#include "view/lesson/action_names.h"
 #include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 

@@ -206,13 +206,18 @@ static int call_speed(lua_State *L) {
     return 0;
 }
 
+/** Adds a step of two numbers, to the right and up: the first two arguments.
+ *  @param limit The largest size of both. */
+static void add_step_right_up(lua_State *L, LessonStep step, const char *name, double limit) {
+    step.x = read_number(L, 1, name, -limit, limit);
+    step.y = read_number(L, 2, name, -limit, limit);
+    add_step(L, step);
+}
+
 /** `turn(RIGHT, UP)`, degrees. See lua_CFunction. @return 0 */
 static int call_turn(lua_State *L) {
     check_argument_count(L, 2, 2, "turn(DEGREES_RIGHT, DEGREES_UP)");
-    LessonStep step = {.kind = LESSON_TURN};
-    step.x = read_number(L, 1, "turn", -TURN_MAXIMUM, TURN_MAXIMUM);
-    step.y = read_number(L, 2, "turn", -TURN_MAXIMUM, TURN_MAXIMUM);
-    add_step(L, step);
+    add_step_right_up(L, (LessonStep){.kind = LESSON_TURN}, "turn", TURN_MAXIMUM);
     return 0;
 }
 
@@ -220,22 +225,17 @@ static int call_turn(lua_State *L) {
 static int call_orbit(lua_State *L) {
     check_argument_count(L, 5, 5, "orbit(DEGREES_RIGHT, DEGREES_UP, X, Y, Z)");
     LessonStep step = {.kind = LESSON_ORBIT};
-    step.x = read_number(L, 1, "orbit", -TURN_MAXIMUM, TURN_MAXIMUM);
-    step.y = read_number(L, 2, "orbit", -TURN_MAXIMUM, TURN_MAXIMUM);
     for (int i = 0; i < 3; i++) {
         step.center[i] = read_number(L, 3 + i, "orbit", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
     }
-    add_step(L, step);
+    add_step_right_up(L, step, "orbit", TURN_MAXIMUM);
     return 0;
 }
 
 /** `pan(RIGHT, UP)`, scene units. See lua_CFunction. @return 0 */
 static int call_pan(lua_State *L) {
     check_argument_count(L, 2, 2, "pan(RIGHT, UP)");
-    LessonStep step = {.kind = LESSON_PAN};
-    step.x = read_number(L, 1, "pan", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
-    step.y = read_number(L, 2, "pan", -LENGTH_MAXIMUM, LENGTH_MAXIMUM);
-    add_step(L, step);
+    add_step_right_up(L, (LessonStep){.kind = LESSON_PAN}, "pan", LENGTH_MAXIMUM);
     return 0;
 }
 

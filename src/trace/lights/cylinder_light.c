@@ -89,11 +89,42 @@ static void cylinder_light_sample_center(const Light *light, size_t light_index,
     }
 }
 
+/** LANES lines of the wall, parallel to the axis, as points see them. */
+typedef struct CylinderLine {
+    Vec3 to_line; /**< Straight to the line, scene units. */
+    real near;    /**< Length of #to_line. */
+    real measure; /**< Width of the visible wall per line of equal chance, in radii. */
+} CylinderLine;
+
+/** Samples a line of the visible wall. @param unit Numbers in [-1, 1): they choose the line. */
+INLINE CylinderLine cylinder_light_sample_line(const CylinderLight *cylinder,
+                                               const CylinderView *view, real unit) {
+    real radius = cylinder->radius, outside = real_max(view->distance, radius);
+    real sine_max = radius / outside;
+    real tangent_max = sine_max / (1 + real_sqrt((1 - sine_max) * (1 + sine_max)));
+    // An angle, by the tangent of its half.
+    real tangent = tangent_max * unit, per_square = 1 / (1 + tangent * tangent);
+    real sine = 2 * tangent * per_square;
+    real cosine = (1 - tangent) * (1 + tangent) * per_square;
+    // The line of the wall there: the nearer root, by the product of the two.
+    real beside = outside * sine;
+    real half_chord = real_sqrt(real_max((radius - beside) * (radius + beside), real_of(0)));
+    real far_root = real_max(outside * cosine + half_chord, radius * CYLINDER_LIGHT_MIN_HEIGHT);
+    real near = (outside - radius) * ((outside + radius) / far_root);
+    near = real_max(near, radius * CYLINDER_LIGHT_MIN_HEIGHT);
+    Vec3 e = view->to_axis, axis = cylinder->axis;
+    Vec3 side = {axis.y * e.z - axis.z * e.y, axis.z * e.x - axis.x * e.z,
+                 axis.x * e.y - axis.y * e.x};
+    Vec3 direction = vec3_add(vec3_scale(e, cosine), vec3_scale(side, sine));
+    return (CylinderLine){vec3_scale(direction, near), near, 2 * tangent_max * per_square};
+}
+
 /** Samples the visible part of the wall. See #LightSampler. */
 static void cylinder_light_sample(const Light *light, size_t light_index, const RayOffset *offset,
                                   const SurfaceHit *surface, LightSample *sample) {
     const CylinderLight *cylinder = light_own(light);
-    real radius = cylinder->radius, length = cylinder->length, zero = real_of(0);
+    real radius = cylinder->radius, length = cylinder->length;
+    const scalar half = (scalar)0.5f;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
         sample->shadow_rays.active[v] = surface->needs_light[v];
@@ -105,36 +136,20 @@ static void cylinder_light_sample(const Light *light, size_t light_index, const 
         // Points inside are lit as on the wall; beyond the ends, over a cap, nothing is seen of it.
         mask is_over_cap =
             (view.distance <= radius) & ((view.begin > 0) | (view.begin + length < 0));
-        real outside = real_max(view.distance, radius), sine_max = radius / outside;
-        real tangent_max = sine_max / (1 + real_sqrt((1 - sine_max) * (1 + sine_max)));
-        // An angle, by the tangent of its half.
-        real tangent = tangent_max * square.a, per_square = 1 / (1 + tangent * tangent);
-        real sine = 2 * tangent * per_square;
-        real cosine = (1 - tangent) * (1 + tangent) * per_square;
-        // The line of the wall there: the nearer root, by the product of the two.
-        real beside = outside * sine;
-        real half_chord = real_sqrt(real_max((radius - beside) * (radius + beside), zero));
-        real far_root = real_max(outside * cosine + half_chord, radius * CYLINDER_LIGHT_MIN_HEIGHT);
-        real near = (outside - radius) * ((outside + radius) / far_root);
-        near = real_max(near, radius * CYLINDER_LIGHT_MIN_HEIGHT);
-        Vec3 e = view.to_axis, axis = cylinder->axis;
-        Vec3 side = {axis.y * e.z - axis.z * e.y, axis.z * e.x - axis.x * e.z,
-                     axis.x * e.y - axis.y * e.x};
-        // A point of that line.
-        const scalar half = (scalar)0.5f;
+        CylinderLine line = cylinder_light_sample_line(cylinder, &view, square.a);
+        Segment segment = segment_of(view.begin, length, line.near);
         real unit = half + half * square.b;
-        Segment line = segment_of(view.begin, length, near);
-        SegmentSample point = light->is_inverse_square ? segment_sample_inverse_cube(&line, unit)
-                                                       : segment_sample_uniform(&line, unit);
-        Vec3 to_line = vec3_scale(vec3_add(vec3_scale(e, cosine), vec3_scale(side, sine)), near);
-        Vec3 to_point = vec3_add(to_line, vec3_scale(axis, point.at));
-        real distance_squared = near * near + point.at * point.at;
+        SegmentSample point = light->is_inverse_square ? segment_sample_inverse_cube(&segment, unit)
+                                                       : segment_sample_uniform(&segment, unit);
+        Vec3 to_point = vec3_add(line.to_line, vec3_scale(cylinder->axis, point.at));
+        real distance_squared = line.near * line.near + point.at * point.at;
         real distance = real_sqrt(distance_squared);
-        real weight = near / distance * (near / radius) * (2 * tangent_max * per_square) /
-                      (length * point.density);
+        real weight =
+            line.near / distance * (line.near / radius) * line.measure / (length * point.density);
         light_sample_set_point(offset, surface, v, vec3_scale(to_point, 1 / distance),
                                distance - cylinder_light_end_margin(cylinder, offset, hit),
-                               distance_squared, real_select(is_over_cap, zero, weight), sample);
+                               distance_squared, real_select(is_over_cap, real_of(0), weight),
+                               sample);
     }
 }
 

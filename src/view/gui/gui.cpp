@@ -218,9 +218,25 @@ bool gui_needs_frame(const Gui *gui) {
     return gui && gui->due_frames > 0;
 }
 
+/**
+ * Sets the position of the mouse to that of its last event.
+ *
+ * While a button is held, the SDL backend asks for the position on the screen, which SDL updates
+ * by raw motion only: a pointer that a program moves, as a remote control does, would stand still.
+ */
+static void follow_mouse_events() {
+    ImGuiIO &io = ImGui::GetIO();
+    if (ImGui::IsMousePosValid(&io.MousePos)) {
+        int x, y;
+        SDL_GetMouseState(&x, &y);
+        io.MousePos = ImVec2((float)x, (float)y);
+    }
+}
+
 void gui_begin_frame(Gui *gui, float text_size) {
     ImGui::SetCurrentContext(gui->context);
     ImGui_ImplSDL2_NewFrame();
+    follow_mouse_events();
     ImGuiIO &io = ImGui::GetIO();
     float pixels = roundf(text_size * io.DisplayFramebufferScale.y);
     if (pixels != gui->letter_size) {

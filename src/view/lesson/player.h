@@ -51,7 +51,4 @@ bool player_handle_command(App *app, const Command *command);
 /** @return Whether the viewer may move things with the mouse. */
 bool player_allows_input(const App *app);
 
-/** @return The command of a step of a lesson. @param action Index in the list of #view_actions. */
-const Command *command_of_action(int action);
-
 #endif

@@ -1,0 +1,224 @@
+/**
+ * @file
+ * @brief What viewers request of a lesson, by buttons and keys: hold it, go back, go on, answer.
+ */
+#include "base/language.h"
+#include "view/lesson/player.h"
+#include "view/lesson/player_internal.h"
+
+#include <libintl.h>
+#include <limits.h>
+#include <string.h>
+
+/* --- steps back and on ------------------------------------------------------------------------ */
+
+/** @return Whether a step is a stop: a caption, a question, an explanation. */
+static bool is_stop(const LessonStep *step) {
+    return step->kind == LESSON_CAPTION || step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
+}
+
+/** Goes to a stop: repeats everything from the beginning, or goes on at once. @param stop Index of
+ *  the step; the number of steps: the end. */
+static void go_to(App *app, size_t stop) {
+    Player *player = &app->player;
+    if (stop < player->next_step) {
+        app_restart_view(app, player->initial_time);
+        player_rewind(app);
+    } else if (app_is_lesson_stopped(app)) {
+        player_resume(app);
+    }
+    player->repeat_end = SDL_min(stop + 1, player->lesson->count);
+    player_repeat_steps(app);
+}
+
+/** Goes to the stop before, or to the present one while the lesson runs. */
+static void step_back(App *app) {
+    const Player *player = &app->player;
+    size_t stop = player->stop < player->lesson->count ? player->stop : 0;
+    bool is_passed = player->state == PLAYER_RUNS || player->state == PLAYER_IS_FINISHED;
+    for (size_t i = stop + is_passed; i-- > 0;) {
+        if (is_stop(&player->lesson->steps[i])) {
+            stop = i;
+            break;
+        }
+    }
+    go_to(app, stop);
+}
+
+/** Goes to the next stop at once. */
+static void step_on(App *app) {
+    const Player *player = &app->player;
+    size_t stop = player->next_step;
+    while (stop < player->lesson->count && !is_stop(&player->lesson->steps[stop])) {
+        stop++;
+    }
+    go_to(app, stop);
+}
+
+/** Plays the same lesson once more. */
+static void play_again(App *app) {
+    Player *player = &app->player;
+    app_restart_view(app, player->initial_time);
+    memset(player->answers, 0, sizeof player->answers);
+    player_rewind(app);
+    player_update_panel(app);
+}
+
+/** Opens the lesson after this one. */
+static void open_next(App *app) {
+    char path[PATH_MAX];
+    SDL_strlcpy(path, app->player.next_path, sizeof path);
+    if (path[0] != '\0') {
+        player_open_file(app, path);
+    }
+}
+
+/** Lets the lesson go on, or stops it. */
+static void toggle_waiting(App *app) {
+    if (app->player.state == PLAYER_WAITS) {
+        player_resume(app);
+    } else if (app->player.state == PLAYER_RUNS) {
+        player_stop(app, PLAYER_WAITS);
+    }
+}
+
+/* --- buttons ---------------------------------------------------------------------------------- */
+
+/** Does what a button or a key of the end card requests. */
+static void handle_card_request(App *app, LessonRequestKind kind) {
+    switch (kind) {
+    case LESSON_REQUEST_NEXT:
+        open_next(app);
+        break;
+    case LESSON_REQUEST_AGAIN:
+        play_again(app);
+        break;
+    case LESSON_REQUEST_CLOSE:
+        player_end(app);
+        break;
+    default:
+        break;
+    }
+}
+
+/** Does what a button requests while the lesson plays. */
+static void handle_playing_request(App *app, LessonRequest request) {
+    switch (request.kind) {
+    case LESSON_REQUEST_BACK:
+        step_back(app);
+        break;
+    case LESSON_REQUEST_ON:
+        step_on(app);
+        break;
+    case LESSON_REQUEST_GO_TO:
+        go_to(app, request.index);
+        break;
+    case LESSON_REQUEST_RESUME:
+        toggle_waiting(app);
+        break;
+    case LESSON_REQUEST_ANSWER:
+        player_answer(app, (int)request.index + 1);
+        break;
+    default:
+        break;
+    }
+}
+
+void player_handle_request(App *app) {
+    LessonRequest request = app->window.lesson_panel.request;
+    app->window.lesson_panel.request = (LessonRequest){0};
+    if (request.kind == LESSON_REQUEST_NONE || !app->player.lesson) {
+        return;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED) {
+        handle_card_request(app, request.kind);
+    } else {
+        handle_playing_request(app, request);
+    }
+}
+
+/* --- keys ------------------------------------------------------------------------------------- */
+
+/** @return The digit of a key, by its position; 0: it has none. */
+static int digit_of_key(SDL_Scancode key) {
+    if (key >= SDL_SCANCODE_1 && key <= SDL_SCANCODE_9) {
+        return (int)(key - SDL_SCANCODE_1) + 1;
+    }
+    return key >= SDL_SCANCODE_KP_1 && key <= SDL_SCANCODE_KP_9 ? (int)(key - SDL_SCANCODE_KP_1) + 1
+                                                                : 0;
+}
+
+bool player_handle_digit(App *app, SDL_Scancode key) {
+    static const LessonRequestKind card[] = {LESSON_REQUEST_NEXT, LESSON_REQUEST_AGAIN,
+                                             LESSON_REQUEST_CLOSE};
+    int digit = digit_of_key(key);
+    if (digit == 0 || !app->player.lesson) {
+        return false;
+    }
+    if (app->player.state == PLAYER_ASKS) {
+        player_answer(app, digit);
+        return true;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED && digit <= (int)SDL_arraysize(card)) {
+        handle_card_request(app, card[digit - 1]);
+        return true;
+    }
+    return false;
+}
+
+/** Handles a command that steers the lesson. @return Whether it does. */
+static bool steer(App *app, const Command *command) {
+    if (app->player.state == PLAYER_CAPTURES) {
+        return false;
+    }
+    if (command_is(command, "time")) {
+        toggle_waiting(app);
+    } else if (command_is(command, "time back")) {
+        step_back(app);
+    } else if (command_is(command, "time on")) {
+        step_on(app);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/** Handles a command while the end card is shown. @return Whether it steers the lesson. */
+static bool steer_card(App *app, const Command *command) {
+    if (command_is(command, "time back")) {
+        step_back(app);
+    }
+    return command_is(command, "time") || command_is(command, "time back") ||
+           command_is(command, "time on");
+}
+
+/** Says what the viewer can do instead of a command. */
+static void show_refusal(App *app) {
+    static const char *const words[] = {[PLAYER_RUNS] = N_("a lesson is played: Space holds it"),
+                                        [PLAYER_WAITS] = N_("a lesson is held: Space goes on"),
+                                        [PLAYER_ASKS] =
+                                            N_("a lesson asks: press the number of your answer")};
+    if (app->player.state <= PLAYER_ASKS) {
+        app_set_status(app, "%s", gettext(words[app->player.state]));
+    }
+}
+
+bool player_handle_command(App *app, const Command *command) {
+    unsigned flags = command ? command->flags : 0;
+    if (!app->player.lesson || (flags & COMMAND_WHILE_PLAYING)) {
+        return false;
+    }
+    if (app->player.state == PLAYER_IS_FINISHED) {
+        return steer_card(app, command);
+    }
+    if (steer(app, command)) {
+        return true;
+    }
+    if (app->player.state == PLAYER_WAITS && (flags & COMMAND_WHILE_PAUSED)) {
+        return false;
+    }
+    if (command) {
+        show_refusal(app);
+    }
+    return true;
+}

@@ -1,0 +1,108 @@
+/**
+ * @file
+ * @brief Where a lesson stops: captions, questions and explanations.
+ */
+#include "base/language.h"
+#include "view/lesson/answer_file.h"
+#include "view/lesson/player_internal.h"
+
+#include <string.h>
+
+bool player_is_unattended(const App *app) {
+    return app->settings->lesson_snapshot_dir != NULL;
+}
+
+void player_update_panel(App *app) {
+    const Player *player = &app->player;
+    LessonPanel panel = {.lesson = player_is_unattended(app) ? NULL : player->lesson,
+                         .answers = player->answers,
+                         .stop = player->stop,
+                         .is_waiting = player->state == PLAYER_WAITS,
+                         .is_asking = player->state == PLAYER_ASKS,
+                         .is_finished = player->state == PLAYER_IS_FINISHED,
+                         .has_next = player->next_path[0] != '\0'};
+    window_set_lesson_panel(&app->window, &panel);
+}
+
+void player_resume_clock(Player *player) {
+    player->state = PLAYER_RUNS;
+    player->start_time = clock_now_seconds() - step_clock_seconds(&player->step_clock);
+}
+
+void player_stop(App *app, PlayerState state) {
+    Player *player = &app->player;
+    Error error = {0};
+    view_state_deinit(&player->paused_view);
+    if (!view_state_save_current(&player->paused_view, &app->home_view, app->scene, &error)) {
+        app_set_status(app, "no memory for the view");
+        return;
+    }
+    player->paused_light = app->selected_light;
+    player->paused_timeline = app->timeline;
+    player->state = state;
+    player_update_panel(app);
+}
+
+void player_resume(App *app) {
+    Player *player = &app->player;
+    held_keys_clear(&app->input.held_keys);
+    view_state_restore_current(&player->paused_view, &app->home_view, app->scene);
+    app->selected_light = player->paused_light;
+    app->timeline = player->paused_timeline;
+    player_resume_clock(player);
+    app_on_view_changed(app);
+    player_update_panel(app);
+}
+
+/** Keeps the answer to a question. @param answer The choice, from 1. */
+static void keep_answer(App *app, size_t question, int answer) {
+    Player *player = &app->player;
+    const AnswerRecord record = {.lesson = player->name,
+                                 .question = question + 1,
+                                 .answer = answer,
+                                 .is_right =
+                                     answer == player->lesson->questions[question].right + 1};
+    Error error = {0};
+    player->answers[question] = answer;
+    if (app->settings->answer_path &&
+        !answer_file_append(app->settings->answer_path, &record, &error)) {
+        app_report_error(app, &error);
+    }
+}
+
+/** @return The answer of an unattended lesson to a question, from 1. */
+static int unattended_answer(const App *app, size_t index) {
+    const LessonQuestion *question = &app->player.lesson->questions[index];
+    const char *predictions = app->settings->predictions;
+    int chosen = predictions && index < strlen(predictions) ? predictions[index] - '0' : 0;
+    return chosen > 0 && chosen <= question->choice_count ? chosen : question->right + 1;
+}
+
+void player_show_stop(App *app, const LessonStep *step) {
+    Player *player = &app->player;
+    bool waits = step->waits_for_viewer || step->kind == LESSON_EXPLAIN;
+    bool is_asked_for = player->repeat_end == player->next_step && player->repeat_end > 0;
+    player->stop = player->next_step - 1;
+    if (player_is_unattended(app) && step->kind == LESSON_ASK) {
+        keep_answer(app, (size_t)step->action, unattended_answer(app, (size_t)step->action));
+    } else if (player_is_unattended(app)) {
+        player->state = PLAYER_CAPTURES;
+    } else if (step->kind == LESSON_ASK) {
+        player_stop(app, PLAYER_ASKS);
+    } else if (waits || is_asked_for) {
+        player_stop(app, PLAYER_WAITS);
+    } else {
+        player_update_panel(app);
+    }
+}
+
+bool player_answer(App *app, int answer) {
+    const Player *player = &app->player;
+    size_t question = (size_t)player->lesson->steps[player->stop].action;
+    if (answer < 1 || answer > player->lesson->questions[question].choice_count) {
+        return false;
+    }
+    keep_answer(app, question, answer);
+    player_resume(app);
+    return true;
+}

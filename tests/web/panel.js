@@ -32,6 +32,8 @@ module.exports = async (browser) => {
     const result = await run(page, line);
     check(result.status === "done" && made.test(result.made.join(" ")), `${line}: ${result.status}, ${result.text.split("\n").length} lines, ${result.made}`);
   }
+  await run(page, "chart SCENE -s 20x15 --samples 1 --out charts");
+  check(await page.locator("#made svg circle").count() > 20, "chart: the page draws its table");
   const wrong = await run(page, "render SCENE --nonsense");
   check(/^ended with/.test(wrong.status) && wrong.text.includes("nonsense"), `a mistake is said: ${wrong.text.trim().split("\n")[0]}`);
   await page.fill("#line", "render SCENE -s 4000x3000 --samples 4096 -o x.bmp");

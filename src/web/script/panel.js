@@ -1,4 +1,5 @@
 // The panel of commands: what `dioptre render`, `info`, `needs`, `probe`, `lab` and `chart` say of the scene, with their pictures.
+import { drawChart } from "./chart.js";
 import { runCommand, splitWords } from "./commands.js";
 import { isFrench, say } from "./words.js";
 
@@ -23,6 +24,8 @@ const showFile = (name, bytes, offerDownload) => {
     picture.alt = name;
     $("made").append(picture);
   }
+  const chart = name.endsWith(".csv") ? drawChart(name, bytes) : null;
+  chart && $("made").append(chart);
   const button = document.createElement("button");
   button.type = "button";
   button.textContent = name;
@@ -48,14 +51,19 @@ export const createPanel = (page) => {
     await page.later();
     const scene = page.scene();
     const words = splitWords($("line").value.replace(/^dioptre\s+/, "")).map((word) => word === "SCENE" ? scene : word);
+    let isOnlyUncharted = false;
     const command = runCommand(words, page.files(), isFrench ? "fr" : "en", (line) => {
+      if (/gnuplot/.test(line)) {
+        isOnlyUncharted = true;
+        line = say("The tables are written. A page has no gnuplot: it draws the charts of dioptre chart itself, and none of dioptre lab.");
+      }
       // A line that replaces itself shows its last state.
       $("output").textContent += line.split("\r").pop().replace(/\x1b\[K/g, "") + "\n";
     });
     setRunning(command);
     const { status, made, reason } = await command.done;
     setRunning(null);
-    $("status").textContent = status === 0 ? say("done") : say("ended with %d").replace("%d", status) + (reason ? ": " + reason : "");
+    $("status").textContent = status === 0 || (status === 1 && isOnlyUncharted) ? say("done") : say("ended with %d").replace("%d", status) + (reason ? ": " + reason : "");
     made.forEach(([name, bytes]) => showFile(name, bytes, page.offerDownload));
   };
   for (const [name, line] of Object.entries(EXAMPLES)) {

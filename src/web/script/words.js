@@ -32,6 +32,10 @@ const FRENCH = {
   "Several threads need https or localhost.": "Plusieurs fils demandent https ou localhost.",
   "A page that is one file has one thread.": "Une page d’un seul fichier a un seul fil.",
   "ended with %d": "terminé avec %d",
+  "CPU seconds a megapixel": "secondes de processeur par mégapixel",
+  "error, rms of linear light": "erreur quadratique moyenne, lumière linéaire",
+  "The tables are written. A page has no gnuplot: it draws the charts of dioptre chart itself, and none of dioptre lab.":
+    "Les tableaux sont écrits. Une page n’a pas gnuplot\u00a0: elle trace elle-même les graphiques de dioptre chart, aucun de dioptre lab.",
   "done": "terminé",
   "running …": "en cours…",
 };

@@ -12,6 +12,7 @@ const PARTS = {
   panel: require("./panel.js"),
   layout: require("./layout.js"),
   firefox: require("./firefox.js"),
+  keys: require("./keys.js"),
   bits: require("./bits.js"),
 };
 

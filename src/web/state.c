@@ -1,9 +1,10 @@
 /**
  * @file
- * @brief The state of the window as text, for links: camera, lights, time, layers, settings and edits.
+ * @brief The state of the window as text, for links: camera, lights, time, layers, settings and
+ * edits.
  *
- * Lines of a word and numbers, in the order of state_write(). What a link says is a stranger's: each number is checked
- * as that of a scene file is, and a line that is wrong ends the reading.
+ * Lines of a word and numbers, in the order of state_write(). What a link says is a stranger's:
+ * each number is checked as that of a scene file is, and a line that is wrong ends the reading.
  */
 #include "dioptre/engine.h"
 #include "view/app.h"
@@ -14,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Event of the page: data1 is a text to be read, to be freed; NULL: the state is wanted. Beyond all that
- *  SDL_RegisterEvents() gives. */
+/** Event of the page: data1 is a text to be read, to be freed; NULL: the state is wanted. Beyond
+ * all that SDL_RegisterEvents() gives. */
 enum { STATE_EVENT = SDL_LASTEVENT - 1 };
 /** Longest name in a state, bytes with the final zero. */
 enum { NAME_SIZE = 64 };
@@ -73,8 +74,8 @@ static void write_pictures(const App *app, FILE *file) {
         const Viewport *viewport = &app->window.viewports[i];
         const RenderSettings *values = &viewport->overrides.values;
         unsigned mask = viewport->overrides.mask;
-        fprintf(file, "picture %zu %d %u %s %d %.17g %d %d %d %d %d\n", i, (int)viewport->layer, mask,
-                mask & SETTING_ENGINE ? values->engine->name : "-", (int)values->trace.offset,
+        fprintf(file, "picture %zu %d %u %s %d %.17g %d %d %d %d %d\n", i, (int)viewport->layer,
+                mask, mask & SETTING_ENGINE ? values->engine->name : "-", (int)values->trace.offset,
                 values->trace.epsilon, values->trace.depth, values->samples, (int)values->lighting,
                 (int)values->trace.pixel_point, (int)values->method_set);
     }
@@ -112,7 +113,8 @@ static char *state_write(const App *app) {
 
 // --- reading -------------------------------------------------------------------------------------
 
-/** Reads numbers. @param[in,out] text Goes on behind them. @return How many there are, at most maximum. */
+/** Reads numbers. @param[in,out] text Goes on behind them. @return How many there are, at most
+ * maximum. */
 static int read_numbers(const char *text, double *numbers, int maximum) {
     int count = 0;
     char *end;
@@ -148,8 +150,8 @@ static bool read_camera(App *app, const char *text) {
     direction = (Vec3d){n[3], n[4], n[5]};
     up = (Vec3d){n[6], n[7], n[8]};
     bool is_valid = is_unit(direction) && is_unit(up) &&
-                    fabs(vec3d_dot(direction, up)) <= AXIS_TOLERANCE && n[9] >= 0.01 && n[9] <= 175 &&
-                    n[10] > 0 && n[10] <= LENGTH_MAXIMUM;
+                    fabs(vec3d_dot(direction, up)) <= AXIS_TOLERANCE && n[9] >= 0.01 &&
+                    n[9] <= 175 && n[10] > 0 && n[10] <= LENGTH_MAXIMUM;
     if (is_valid) {
         SceneCamera *camera = &app->scene->camera;
         camera->position = (Vec3d){n[0], n[1], n[2]};
@@ -175,7 +177,8 @@ static bool read_light(App *app, const char *text) {
     Error error = {0};
     for (const Parameter *row = scene_light_keyword_for(&light)->parameters; row->name; row++) {
         int size = parameter_number_count(row->type);
-        if (next + size > count || (size > 0 && !parameter_check_numbers(row, numbers + next, &error))) {
+        if (next + size > count ||
+            (size > 0 && !parameter_check_numbers(row, numbers + next, &error))) {
             return false;
         }
         if (size > 0) {
@@ -214,9 +217,11 @@ static bool read_split(App *app, const char *text) {
 static bool is_possible(const RenderSettings *settings, unsigned mask) {
     const TraceSettings *trace = &settings->trace;
     return (!(mask & SETTING_OFFSET) || (unsigned)trace->offset <= OFFSET_BOUND) &&
-           (!(mask & SETTING_EPSILON) || (trace->epsilon >= 0 && trace->epsilon <= LENGTH_MAXIMUM)) &&
+           (!(mask & SETTING_EPSILON) ||
+            (trace->epsilon >= 0 && trace->epsilon <= LENGTH_MAXIMUM)) &&
            (!(mask & SETTING_DEPTH) || (trace->depth >= 0 && trace->depth <= DEPTH_MAXIMUM)) &&
-           (!(mask & SETTING_SAMPLES) || (settings->samples >= 1 && settings->samples <= KEY_SAMPLES_MAXIMUM)) &&
+           (!(mask & SETTING_SAMPLES) ||
+            (settings->samples >= 1 && settings->samples <= KEY_SAMPLES_MAXIMUM)) &&
            (!(mask & SETTING_LIGHT) || (unsigned)settings->lighting <= LIGHTING_UNLIT) &&
            (!(mask & SETTING_PIXEL) || (unsigned)trace->pixel_point <= PIXEL_CORNER) &&
            (!(mask & SETTING_METHODS) || (unsigned)settings->method_set < METHODS_COUNT);
@@ -230,9 +235,9 @@ static bool read_picture(App *app, const char *text) {
     RenderSettings *values = &changes.values;
     char engine[NAME_SIZE];
     Error error = {0};
-    if (sscanf(text, "%zu %d %u %63s %d %lf %d %d %d %d %d", &index, &layer, &changes.mask, engine, &offset,
-               &values->trace.epsilon, &values->trace.depth, &values->samples, &lighting, &pixel,
-               &methods) != 11) {
+    if (sscanf(text, "%zu %d %u %63s %d %lf %d %d %d %d %d", &index, &layer, &changes.mask, engine,
+               &offset, &values->trace.epsilon, &values->trace.depth, &values->samples, &lighting,
+               &pixel, &methods) != 11) {
         return false;
     }
     values->trace.offset = (OffsetStrategy)offset;
@@ -240,8 +245,8 @@ static bool read_picture(App *app, const char *text) {
     values->trace.pixel_point = (PixelPoint)pixel;
     values->method_set = (MethodSet)methods;
     values->engine = changes.mask & SETTING_ENGINE ? engine_find(engine, &error) : NULL;
-    if (index >= SCENE_LOAD_VIEWPORTS || layer < 0 || layer >= LAYER_COUNT || error.status != STATUS_OK ||
-        !is_possible(values, changes.mask)) {
+    if (index >= SCENE_LOAD_VIEWPORTS || layer < 0 || layer >= LAYER_COUNT ||
+        error.status != STATUS_OK || !is_possible(values, changes.mask)) {
         return false;
     }
     Viewport *viewport = &app->window.viewports[index];
@@ -267,9 +272,11 @@ static bool read_edit(App *app, const char *text) {
     edit.keyword = scene_object_keyword_find(keyword);
     edit.row = edit.keyword >= 0 ? scene_object_row_find(edit.keyword, row) : -1;
     SceneObject object;
-    return edit.row >= 0 && read_numbers(text + used, edit.numbers, PARAMETER_NUMBERS_MAXIMUM) == 3 &&
+    return edit.row >= 0 &&
+           read_numbers(text + used, edit.numbers, PARAMETER_NUMBERS_MAXIMUM) == 3 &&
            scene_object_find(app->scene, edit.keyword, edit.number, &object) &&
-           parameter_check_numbers(scene_object_row(edit.keyword, edit.row), edit.numbers, &error) &&
+           parameter_check_numbers(scene_object_row(edit.keyword, edit.row), edit.numbers,
+                                   &error) &&
            scene_override_check(&object, &edit, 1, &error) &&
            edit_history_add(&app->edits, &edit, false, &error);
 }
@@ -283,11 +290,13 @@ static bool state_read(App *app, char *text) {
                  {"split ", read_split},   {"picture ", read_picture}, {"edit ", read_edit}};
     bool is_right = true;
     char *rest = text;
-    for (char *line = strtok_r(text, "\n", &rest); line && is_right; line = strtok_r(NULL, "\n", &rest)) {
+    for (char *line = strtok_r(text, "\n", &rest); line && is_right;
+         line = strtok_r(NULL, "\n", &rest)) {
         is_right = false;
         for (size_t i = 0; i < sizeof lines / sizeof *lines && !is_right; i++) {
             size_t length = strlen(lines[i].word);
-            is_right = strncmp(line, lines[i].word, length) == 0 && lines[i].read(app, line + length);
+            is_right =
+                strncmp(line, lines[i].word, length) == 0 && lines[i].read(app, line + length);
         }
     }
     return is_right;

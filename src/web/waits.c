@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Waiting for events of the window. SDL's own way looks for them each millisecond, which costs
- *        3 % of a core while nothing happens.
+ * @brief Waiting for events of the window. SDL's own way looks for them each millisecond, which
+ * costs 3 % of a core while nothing happens.
  */
 #include "web/waits.h"
 
@@ -23,7 +23,8 @@ int __wrap_SDL_PushEvent(SDL_Event *event) {
 /** SDL's own function, which SDL_PollEvent() calls, too. */
 int __real_SDL_WaitEventTimeout(SDL_Event *event, int milliseconds);
 
-/** Waits for an event until a time. @param until Of the clock, seconds. @return Whether one came. */
+/** Waits for an event until a time. @param until Of the clock, seconds. @return Whether one came.
+ */
 static int wait_until(SDL_Event *event, double until) {
     int is_there = __real_SDL_WaitEventTimeout(event, 0);
     while (!is_there && clock_now_seconds() < until) {
@@ -40,5 +41,6 @@ int __wrap_SDL_WaitEvent(SDL_Event *event) {
 
 /** See SDL_WaitEventTimeout(). */
 int __wrap_SDL_WaitEventTimeout(SDL_Event *event, int milliseconds) {
-    return wait_until(event, milliseconds < 0 ? INFINITY : clock_now_seconds() + 1e-3 * milliseconds);
+    return wait_until(event,
+                      milliseconds < 0 ? INFINITY : clock_now_seconds() + 1e-3 * milliseconds);
 }

@@ -5,7 +5,8 @@
 #ifndef DIOPTRE_WEB_WAITS_H
 #define DIOPTRE_WEB_WAITS_H
 
-/** Waits until #waits_wake, or a time; earlier for no reason, too. @param until Of the clock, seconds. */
+/** Waits until #waits_wake, or a time; earlier for no reason, too. @param until Of the clock,
+ * seconds. */
 void waits_sleep(double until);
 
 /** Lets the window look for events: one has been pushed. */

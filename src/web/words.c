@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief The words of the scene language for the page's editor: from the same tables that the parser reads.
+ * @brief The words of the scene language for the page's editor: from the same tables that the
+ * parser reads.
  */
 #include "base/json.h"
 #include "dioptre/scene.h"
@@ -41,10 +42,11 @@ static void write_keyword(JsonWriter *json, const Keyword *keyword, bool is_shap
     json_object_end(json);
 }
 
-/** @return All keywords with their fields as JSON, in the language of the window; NULL without memory.
- *  To be freed by the caller. Called by the page. */
+/** @return All keywords with their fields as JSON, in the language of the window; NULL without
+ * memory. To be freed by the caller. Called by the page. */
 EMSCRIPTEN_KEEPALIVE char *web_words(void) {
-    static const Keyword *const single[] = {&scene_camera_keyword, &scene_image_keyword, &scene_sky_keyword};
+    static const Keyword *const single[] = {&scene_camera_keyword, &scene_image_keyword,
+                                            &scene_sky_keyword};
     char *text = NULL;
     size_t size = 0;
     JsonWriter json = {.stream = open_memstream(&text, &size)};

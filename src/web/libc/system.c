@@ -32,8 +32,8 @@ int sched_getaffinity(pid_t process, size_t size, cpu_set_t *set) {
 /** The browser's own clock: of the wall alone. */
 int __real_clock_gettime(clockid_t clock, struct timespec *time);
 
-/** Says what time it is. A page is not told how long it had a processor: the wall's clock stands in. See
- *  clock_gettime(2). */
+/** Says what time it is. A page is not told how long it had a processor: the wall's clock stands
+ * in. See clock_gettime(2). */
 int __wrap_clock_gettime(clockid_t clock, struct timespec *time) {
     bool is_of_processor = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
     return __real_clock_gettime(is_of_processor ? CLOCK_MONOTONIC : clock, time);

@@ -1,9 +1,11 @@
 /**
  * @file
- * @brief Threads of a page without shared memory: fibers that take turns, behind the functions of pthreads.
+ * @brief Threads of a page without shared memory: fibers that take turns, behind the functions of
+ * pthreads.
  *
- * The stack of a fiber is unwound and rewound by what emscripten's Asyncify adds to functions; engines and libraries
- * have it not, so that no fiber may wait below them. The browser calls #web_tick, which runs fibers for a slice.
+ * The stack of a fiber is unwound and rewound by what emscripten's Asyncify adds to functions;
+ * engines and libraries have it not, so that no fiber may wait below them. The browser calls
+ * #web_tick, which runs fibers for a slice.
  */
 #include "web/single/fibers.h"
 
@@ -23,51 +25,51 @@ enum { ASYNCIFY_STACK_SIZE = 256 << 10 };
 
 /** A thread of the program. */
 typedef struct Fiber {
-    emscripten_fiber_t context;         /**< Where it goes on. */
-    void *(*function)(void *argument);  /**< What it runs. */
-    void *argument;                     /**< For #function. */
-    void *result;                       /**< Of #function, once it has ended. */
-    bool has_ended;                     /**< Whether #function has returned. */
-    const void *waits_for;              /**< What ends its waiting; NULL: it can run. */
-    double until;                       /**< When its waiting ends in any case. */
-    void *stack;                        /**< Its stack; owned. */
-    struct Fiber *next;                 /**< In the ring of all fibers. */
+    emscripten_fiber_t context;               /**< Where it goes on. */
+    void *(*function)(void *argument);        /**< What it runs. */
+    void *argument;                           /**< For #function. */
+    void *result;                             /**< Of #function, once it has ended. */
+    bool has_ended;                           /**< Whether #function has returned. */
+    const void *waits_for;                    /**< What ends its waiting; NULL: it can run. */
+    double until;                             /**< When its waiting ends in any case. */
+    void *stack;                              /**< Its stack; owned. */
+    struct Fiber *next;                       /**< In the ring of all fibers. */
     char asyncify_stack[ASYNCIFY_STACK_SIZE]; /**< Its local variables while it waits. */
 } Fiber;
 
 /** What all fibers share: of the page, as threads are of a process. */
 static struct {
-    emscripten_fiber_t root;     /**< The browser's own stack. */
-    char root_stack[1 << 12];    /**< For the local variables of #web_tick. */
-    bool has_root;               /**< Whether #root is made. */
-    Fiber *last;                 /**< Which had the last turn, in a ring; NULL: there is none. */
-    Fiber *current;              /**< Which has the turn; NULL: the browser. */
-    double slice_end;            /**< When the turn of all ends. */
+    emscripten_fiber_t root;  /**< The browser's own stack. */
+    char root_stack[1 << 12]; /**< For the local variables of #web_tick. */
+    bool has_root;            /**< Whether #root is made. */
+    Fiber *last;              /**< Which had the last turn, in a ring; NULL: there is none. */
+    Fiber *current;           /**< Which has the turn; NULL: the browser. */
+    double slice_end;         /**< When the turn of all ends. */
 } fibers;
 
 /** Asks the browser for a call of #web_tick. */
 EM_JS(void, schedule_tick, (void), {
-  if (!Module['wake']) {
-    var channel = new MessageChannel(), timer = 0, isPosted = false;
-    Module['wake'] = function() {
-      if (!isPosted) {
-        isPosted = true;
-        channel.port2.postMessage(0);
-      }
-    };
-    channel.port1.onmessage = function() {
-      isPosted = false;
-      clearTimeout(timer);
-      Module['_web_tick']();
-      var delay = Module['_web_delay']();
-      if (delay == 0) {
-        Module['wake']();
-      } else if (delay > 0) {
-        timer = setTimeout(Module['wake'], delay);
-      }
-    };
-  }
-  Module['wake']();
+    if (!Module['wake']) {
+        var channel = new MessageChannel(), timer = 0, isPosted = false;
+        Module['wake'] = function() {
+            if (!isPosted) {
+                isPosted = true;
+                channel.port2.postMessage(0);
+            }
+        };
+        channel.port1.onmessage = function() {
+            isPosted = false;
+            clearTimeout(timer);
+            Module['_web_tick']();
+            var delay = Module['_web_delay']();
+            if (delay == 0) {
+                Module['wake']();
+            } else if (delay > 0) {
+                timer = setTimeout(Module['wake'], delay);
+            }
+        };
+    }
+    Module['wake']();
 });
 
 // --- turns ---------------------------------------------------------------------------------------
@@ -171,7 +173,8 @@ static void fiber_main(void *argument) {
 /** Stack of a fiber without attributes, bytes: it traces no rays. */
 enum { STACK_SIZE = 1 << 20 };
 
-/** Attributes of a fiber, in the memory of pthread's: those of the C library without threads do nothing. */
+/** Attributes of a fiber, in the memory of pthread's: those of the C library without threads do
+ * nothing. */
 typedef struct Attributes {
     size_t stack_size; /**< Bytes of its stack. */
 } Attributes;
@@ -295,7 +298,8 @@ int __wrap_pthread_mutex_destroy(pthread_mutex_t *mutex) {
     return 0;
 }
 
-/** Waits for a condition until a time. @param until Of the clock, seconds. @return 0, or ETIMEDOUT */
+/** Waits for a condition until a time. @param until Of the clock, seconds. @return 0, or ETIMEDOUT
+ */
 static int wait_until(pthread_cond_t *condition, pthread_mutex_t *mutex, double until) {
     __wrap_pthread_mutex_unlock(mutex);
     fibers_wait(condition, until);
@@ -314,7 +318,8 @@ int __wrap_pthread_cond_timedwait(pthread_cond_t *condition, pthread_mutex_t *mu
                                   const struct timespec *time) {
     struct timespec now;
     clock_gettime(CLOCK_REALTIME, &now);
-    double delay = (double)(time->tv_sec - now.tv_sec) + 1e-9 * (double)(time->tv_nsec - now.tv_nsec);
+    double delay =
+        (double)(time->tv_sec - now.tv_sec) + 1e-9 * (double)(time->tv_nsec - now.tv_nsec);
     return wait_until(condition, mutex, clock_now_seconds() + delay);
 }
 

@@ -2,8 +2,9 @@
  * @file
  * @brief Threads of a page without shared memory: fibers that take turns.
  *
- * A fiber runs until it waits: for a condition, for another's end, for an event of the window, or, between two tiles, for
- * its next turn. A turn of all of them ends after #FIBERS_SLICE, so that the browser stays alive.
+ * A fiber runs until it waits: for a condition, for another's end, for an event of the window, or,
+ * between two tiles, for its next turn. A turn of all of them ends after #FIBERS_SLICE, so that the
+ * browser stays alive.
  */
 #ifndef DIOPTRE_WEB_SINGLE_FIBERS_H
 #define DIOPTRE_WEB_SINGLE_FIBERS_H
@@ -21,7 +22,8 @@ void fibers_wait(const void *what, double until);
 /** Lets all fibers go on that wait for something. */
 void fibers_notify(const void *what);
 
-/** Gives the turn to others if the slice is over; the caller may be no fiber: then nothing happens. */
+/** Gives the turn to others if the slice is over; the caller may be no fiber: then nothing happens.
+ */
 void fibers_yield(void);
 
 #endif

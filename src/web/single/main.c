@@ -18,7 +18,8 @@ typedef struct CommandLine {
     char **words; /**< The words, owned. */
 } CommandLine;
 
-/** Runs the program, and tells the page its status. @param context A #CommandLine, freed. @return NULL */
+/** Runs the program, and tells the page its status. @param context A #CommandLine, freed. @return
+ * NULL */
 static void *run_program(void *context) {
     CommandLine *line = context;
     int status = dioptre_main(line->count, line->words);

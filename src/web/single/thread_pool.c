@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief A thread pool without threads: its caller runs all tasks, and lets others run between two tiles.
+ * @brief A thread pool without threads: its caller runs all tasks, and lets others run between two
+ * tiles.
  *
  * It stands in for render/thread_pool.c.
  */
@@ -12,7 +13,8 @@
 #include <stdlib.h>
 
 struct ThreadPool {
-    bool has_tiles; /**< Whether tasks are tiles: below other tasks is an engine, where no fiber may wait. */
+    bool has_tiles; /**< Whether tasks are tiles: below other tasks is an engine, where no fiber may
+                       wait. */
 };
 
 /** The pool itself, see #__wrap_render_pass_run_tiles. */

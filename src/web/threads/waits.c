@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief Waiting with threads: the window's thread sleeps until the browser's thread or another wakes it.
+ * @brief Waiting with threads: the window's thread sleeps until the browser's thread or another
+ * wakes it.
  */
 #include "web/waits.h"
 
@@ -11,8 +12,8 @@
 #include <math.h>
 #include <stdatomic.h>
 
-/** Seconds after a waking in which events are looked for each millisecond: the browser's thread hands
- *  them over a little later than it wakes. */
+/** Seconds after a waking in which events are looked for each millisecond: the browser's thread
+ * hands them over a little later than it wakes. */
 static const double BRISK_TIME = 0.1;
 /** Longest sleep, seconds, in case that a waking is missed. */
 static const double LONGEST_SLEEP = 0.25;

@@ -17,6 +17,14 @@ const nameless = (page) => page.evaluate(() => [...document.querySelectorAll("bu
   .filter((element) => !(element.textContent.trim() || element.getAttribute("aria-label") || element.labels?.length))
   .map((element) => element.id || element.tagName));
 
+/** @return Whether the picture reaches nine tenths of the canvas to the right, in the screen's own pixels. */
+const isFilled = (page) => page.evaluate(() => {
+  const canvas = document.getElementById("canvas");
+  const column = canvas.getContext("2d").getImageData(Math.floor(0.9 * canvas.width), 0, 1, canvas.height).data;
+  const isExact = Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) <= 1;
+  return isExact && column.filter((byte, i) => i % 4 < 3 && byte > 0).length > 0;
+});
+
 /** One finger drags over the picture. */
 const drag = async (page) => {
   const box = await page.locator("#canvas").boundingBox();
@@ -42,6 +50,7 @@ module.exports = async (browser) => {
     const { width, height } = options.viewport;
     check(canvas.width * canvas.height > 0.2 * width * height && text.height > 100, `${name}: picture ${canvas.width}x${canvas.height}, text ${text.width}x${text.height}`);
     check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name}: nothing is wider than the screen`);
+    check(await isFilled(page), `${name}: the picture fills the canvas`);
     const unnamed = await nameless(page);
     check(unnamed.length === 0, `${name}: everything has a name${unnamed.map((each) => ": " + each)}`);
     if (options.hasTouch) {

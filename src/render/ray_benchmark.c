@@ -98,8 +98,7 @@ RenderStats renderer_benchmark_rays(Renderer *renderer, bool random) {
 /* --- a sample of the picture ---------------------------------------------------------------------
  */
 
-/** Width and height of a block of pixels: so many rays are traced between two looks at the clock.
- */
+/** Width and height of a block of pixels. */
 enum { BLOCK_SIZE = 8 };
 
 /** A sample of the picture, as its threads share it. */
@@ -116,25 +115,29 @@ static size_t blocks_along(int pixels) {
     return ((size_t)pixels + BLOCK_SIZE - 1) / BLOCK_SIZE;
 }
 
-/** Traces the camera rays of a block, unless there is no time left. See #ThreadPoolTask. */
+/** @return The smaller number. */
+static int smaller(int a, int b) {
+    return a < b ? a : b;
+}
+
+/**
+ * Traces the camera rays of a block, as long as there is time. See #ThreadPoolTask. Between two
+ * looks at the clock, an engine traces eight packets: a ray may take milliseconds in quad.
+ */
 static void sample_block(void *context, size_t index) {
     RaySample *sample = context;
     const RenderSettings *settings = &sample->renderer->settings;
-    if (clock_now_seconds() > sample->deadline) {
-        return;
-    }
     size_t block = index * sample->step % sample->count, across = blocks_along(settings->width);
     int x = (int)(block % across) * BLOCK_SIZE, y = (int)(block / across) * BLOCK_SIZE;
-    int columns = settings->width - x, rows = settings->height - y;
-    PixelGrid grid = {.x = x,
-                      .y = y,
-                      .columns = columns < BLOCK_SIZE ? columns : BLOCK_SIZE,
-                      .rows = rows < BLOCK_SIZE ? rows : BLOCK_SIZE,
-                      .stride = 1};
+    int end = smaller(y + BLOCK_SIZE, settings->height);
+    PixelGrid grid = {.x = x, .columns = smaller(BLOCK_SIZE, settings->width - x), .stride = 1};
     int shapes[BLOCK_SIZE * BLOCK_SIZE];
     double distances[BLOCK_SIZE * BLOCK_SIZE];
-    settings->engine->trace_primary(sample->renderer->tracer, &grid, shapes, distances);
-    atomic_fetch_add(&sample->rays_done, (size_t)grid.columns * (size_t)grid.rows);
+    for (grid.y = y; grid.y < end && clock_now_seconds() <= sample->deadline; grid.y += grid.rows) {
+        grid.rows = smaller(settings->engine->lanes, end - grid.y);
+        settings->engine->trace_primary(sample->renderer->tracer, &grid, shapes, distances);
+        atomic_fetch_add(&sample->rays_done, (size_t)grid.columns * (size_t)grid.rows);
+    }
 }
 
 /**

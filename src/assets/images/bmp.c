@@ -164,7 +164,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     uint8_t bytes[HEADER_SIZE + MASKS_SIZE] = {0};
     size_t size = fread(bytes, 1, sizeof bytes, stream);
     if (ferror(stream)) {
-        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        return error_set_errno(error, errno);
     }
     if (size < 2 || memcmp(bytes, "BM", 2) != 0) {
         return error_set(error, STATUS_SCENE, "it is no BMP file");
@@ -277,7 +277,7 @@ static FILE *open_stream(int file, struct stat *info, Error *error) {
     FILE *stream =
         descriptor >= 0 && fstat(descriptor, info) == 0 ? fdopen(descriptor, "rb") : NULL;
     if (!stream) {
-        error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        error_set_errno(error, errno);
         if (descriptor >= 0) {
             close(descriptor);
         }

@@ -213,12 +213,12 @@ run: packages
 .PHONY: web test-web
 web:
 	@.ci/packages $(WEB_PACKAGES)
+	@command -v npm >/dev/null || .ci/packages npm
 	@.ci/sources build/web-work/sources $(WEB_LIBRARY_SOURCES)
 	@$(MAKE) --no-print-directory -j$$(nproc) -f src/web/Makefile page
-# In a real browser, against the pictures of the desktop's program.
+# In real browsers, against the pictures of the desktop's program.
 test-web: web packages
-	@.ci/packages chromium
-	@command -v npm >/dev/null || .ci/packages npm
+	@.ci/packages chromium firefox-esr
 	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
 

@@ -3,8 +3,8 @@
 # Instructions are counted by valgrind, which does not know AVX-512, so in the engine of AVX2; times are
 # sampled by perf, where it is at hand. What else the machine does changes only the total time.
 #
-# Environment: BUILD (folder of the program; build), MADE_WITH (compiler and flags, for the page), OUT
-# (the page; doc/performance.md).
+# Environment: BUILD (folder of the program; build), ROUNDS (turns; 5), MADE_WITH (compiler and flags, for
+# the page), OUT (the page; doc/performance.md).
 set -eu
 export LC_ALL=C # Decimal points, not commas.
 cd "$(dirname "$0")/../.."
@@ -13,7 +13,7 @@ OUT=${OUT:-doc/performance.md}
 ENGINE=f32x8
 LANES=8
 SIZE=400x300
-ROUNDS=5
+ROUNDS=${ROUNDS:-5}
 program=$BUILD/dioptre
 
 # bench SCENE ENGINE FRAMES: one thread, one ray a pixel.
@@ -65,7 +65,11 @@ engine_times() {
     engines="$ENGINES f32x4 f32x1 f64x4 f64x1"
     for round in $(seq $ROUNDS); do
         for engine in $engines; do
-            measure scenes/box.lua "$engine" 100 "$work/$engine"
+            case $engine in
+            *[2468]x1) frames=20 ;; # One ray at a time; the system counts hundredths of a second.
+            *) frames=100 ;;
+            esac
+            measure scenes/box.lua "$engine" $frames "$work/$engine"
             number rays "$work/log" >"$work/$engine.rays"
         done
     done

@@ -6,6 +6,7 @@
 #include "pictures.h"
 
 #include <glob.h>
+#include <math.h>
 #include <pthread.h>
 
 /** 1, 2, 3 and 8 threads render the same picture. */
@@ -57,6 +58,54 @@ static void test_lanes(void **state) {
         scene_destroy(scene);
     }
     globfree(&scenes);
+}
+
+/** Puts a sphere where the corner of four tiles is seen, give or take two pixels. @param random The
+ *  random state. */
+static void add_sphere_at_tile_corner(Scene *scene, uint64_t *random) {
+    const SceneCamera *camera = &scene->camera;
+    double pixel = 2 * tan(camera->fov / 2 * (M_PI / 180)) / WIDTH;
+    double column = 64 * floor(4 * random_unit_double(random)), row = 16;
+    row *= floor(10 * random_unit_double(random));
+    double x = pixel * (column - WIDTH / 2.0 + random_float(random, -2, 2));
+    double y = pixel * (HEIGHT / 2.0 - row + random_float(random, -2, 2));
+    double distance = exp(random_float(random, -2, 8));
+    Vec3d direction = vec3d_add(camera->direction, vec3d_scale(scene_camera_right(camera), x));
+    direction = vec3d_add(direction, vec3d_scale(camera->up, y));
+    SphereParameters sphere = {vec3d_add(camera->position, vec3d_scale(direction, distance)),
+                               distance * pixel * exp(random_float(random, -1, 3))};
+    add_shape(scene, "sphere", &sphere);
+}
+
+/** Tiles that show nothing but a plain sky are filled without a ray; engines of one lane trace all
+ *  of theirs. Small spheres at the edges of tiles, seen in all directions, are in both pictures. */
+static void test_background_tiles(void **state) {
+    (void)state;
+    /** Number of scenes. */
+    enum { SCENES = 60 };
+    static const char *const engines[] = {"f32x4", "f32x8", "f32x16", "f64x4"};
+    uint64_t random = 18;
+    for (int s = 0; s < SCENES; s++) {
+        Scene *scene = create_empty_scene();
+        scene->sky = (SceneSky){.horizon = {0.5, 0.6, 0.7}, .zenith = {0.5, 0.6, 0.7}};
+        scene->camera.position = (Vec3d){random_float(&random, -9, 9), 0, s};
+        scene_camera_rotate(&scene->camera, (Vec3d){0, 1, 0}, 15.0 * s, 11.0 * (s % 16 - 8));
+        for (int i = 0; i < 3; i++) {
+            add_sphere_at_tile_corner(scene, &random);
+        }
+        for (size_t e = 0; e < sizeof engines / sizeof *engines; e++) {
+            Error error;
+            if (engine_find(engines[e], &error)) {
+                RenderSettings settings = small_settings(scene, engines[e], 1);
+                settings.samples = 2;
+                Picture wide = draw_picture(scene, &settings);
+                settings.engine = engine_scalar(settings.engine);
+                assert_same_picture(&wide, draw_picture(scene, &settings));
+                picture_deinit(&wide);
+            }
+        }
+        scene_destroy(scene);
+    }
 }
 
 /** @return A point, scaled about the origin. */
@@ -150,6 +199,31 @@ static void count_event(void *context) {
     witness->events++;
     pthread_cond_signal(&witness->wake);
     pthread_mutex_unlock(&witness->mutex);
+}
+
+/** @return The rays of a forecast of a scene. */
+static RayCounts forecast_of(const char *path, int width, int height) {
+    Scene *scene = load_scene(path);
+    RenderSettings settings = render_settings_default(scene);
+    settings.width = width;
+    settings.height = height;
+    Renderer *renderer = create_renderer(scene, &settings);
+    RayCounts rays = renderer_forecast_light(renderer, 100, NULL);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+    return rays;
+}
+
+/** A forecast finds that light will be missing, also of small pictures, and in no simple one. */
+static void test_forecast_of_light(void **state) {
+    (void)state;
+    RayCounts small = forecast_of("tests/scenes/five-panes.lua", 64, 48);
+    assert_true(small.unresolved > 0 && small.unresolved_steps > 0.25);
+    assert_true(small.camera >= 500 && small.camera <= 64 * 48);
+    RayCounts large = forecast_of("scenes/box.lua", 803, 601);
+    assert_true(large.unresolved == 0);
+    assert_true(large.camera == 101 * 76);
+    assert_true(forecast_of("scenes/figure-07.lua", 64, 48).camera == 0);
 }
 
 /** The first event of a scene whose first pass takes long comes before that pass has ended: some
@@ -434,9 +508,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_background_tiles),
         cmocka_unit_test(test_scale),
         cmocka_unit_test(test_background),
         cmocka_unit_test(test_first_pass_in_parts),
+        cmocka_unit_test(test_forecast_of_light),
         cmocka_unit_test(test_stop),
         cmocka_unit_test(test_small_sizes),
         cmocka_unit_test(test_symmetry),

@@ -54,6 +54,8 @@ typedef struct Window {
     RenderSettings base_settings;         /**< Settings of both without the user's changes. */
     SdlWindow sdl;                        /**< The window on the screen. */
     Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
+    GuiRect hud_rects[WINDOW_VIEWPORTS];  /**< Where these lie in this frame. */
+    GuiRect legend_rects[WINDOW_VIEWPORTS]; /**< Where the legends lie in it. */
     bool shows_settings;                  /**< Whether the panels show the settings. */
     double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
     bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
@@ -185,36 +187,6 @@ void window_set_size_below_toolbar(Window *window, int width, int height);
 /** Creates buttons, lists and marks, once the first picture is on screen. */
 void window_open_widgets(Window *window);
 
-/** Shows panels, buttons, lists, marks and messages over the picture. */
-void window_show_widgets(Window *window);
-
-/** @return A rectangle of pixels in screen units. */
-SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
-
-/** Shows legends and rings: what belongs to a picture of the screen, too. */
-void window_show_values(const Window *window);
-
-/** Shows panels alone, without buttons, marks and messages: for a picture of the screen. */
-void window_show_panels_alone(Window *window);
-
-/** Shows the panels on the pictures: settings, costs, legends, captions and notices. @param area
- * The part of the window for them, screen units. @return Where what lies at its lower edge begins.
- */
-float window_show_panels(Window *window, const GuiRect *area);
-
-/** Places the magnifier. */
-void window_follow_mouse(Window *window);
-
-/** Shows how far a pass is that takes long, at the lower edge of the picture. */
-void window_show_progress(Window *window);
-
-/** @return Seconds until that bar, or the number of a legend, moves; #WINDOW_NO_TIMEOUT: there is
- *  none. */
-double window_progress_timeout(const Window *window, double now);
-
-/** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
-void window_show_readout(const Window *window);
-
 /** Shows or hides the chart of settings. */
 void window_toggle_chart(Window *window);
 
@@ -224,12 +196,6 @@ void window_toggle_magnifier(Window *window);
 /** Copies the colours of a part of the picture as it is seen: of one picture, of two, or of their
  *  difference. See #renderer_copy_part. */
 void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb);
-
-/** @return Whether they have changed since they were shown. */
-bool window_widgets_are_due(Window *window, double now);
-
-/** @return Seconds until they change by themselves; see #window_timeout. */
-double window_widgets_timeout(const Window *window, double now);
 
 /** Lays bar and lesson panel out again after a change of their words or letters: the picture keeps
  *  its size. */

@@ -19,11 +19,11 @@
 #include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
 #include "view/state/edit_history.h"
-#include "view/state/view_history.h"
 #include "view/state/scene_text.h"
 #include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
 #include "view/state/source_edit.h"
+#include "view/state/view_history.h"
 
 #include <glob.h>
 #include <pthread.h>

@@ -99,15 +99,14 @@ static void check_inspector(Fixture *fixture) {
     for (int i = 0; i < (int)(fixture->scene->shape_count + fixture->scene->light_count); i++) {
         size_t shapes = fixture->scene->shape_count, index = (size_t)i;
         if (index > 0 && index < shapes &&
-            fixture->scene->shapes[index].class_index == fixture->scene->shapes[index - 1].class_index) {
+            fixture->scene->shapes[index].class_index ==
+                fixture->scene->shapes[index - 1].class_index) {
             continue;
         }
-        SceneObject object = index < shapes
-                                 ? scene_object_of_shape(fixture->scene, index)
-                                 : scene_object_of_light(fixture->scene, index - shapes);
-        window->object_inspector = (ObjectInspector){.keyword = object.keyword,
-                                                     .number = object.origin->number,
-                                                     .has_pixel = true};
+        SceneObject object = index < shapes ? scene_object_of_shape(fixture->scene, index)
+                                            : scene_object_of_light(fixture->scene, index - shapes);
+        window->object_inspector = (ObjectInspector){
+            .keyword = object.keyword, .number = object.origin->number, .has_pixel = true};
         check_frame(fixture, "inspector", 8);
     }
     window->object_inspector = (ObjectInspector){0};

@@ -78,16 +78,18 @@ static void check_texts(Fixture *fixture, const char *what) {
             fault(fixture, what, "a catalogue's header");
         }
         if (a->size + ROUNDING < least) {
-            fault(fixture, what, "'%s' is %g high, not %g", a->text, (double)a->size, (double)least);
+            fault(fixture, what, "'%s' is %g high, not %g", a->text, (double)a->size,
+                  (double)least);
         }
         bool is_wide = a->rect.x + ROUNDING < a->clip.x ||
                        a->rect.x + a->rect.width > a->clip.x + a->clip.width + ROUNDING;
         bool is_high = a->rect.y + ROUNDING < a->clip.y ||
                        a->rect.y + a->rect.height > a->clip.y + a->clip.height + ROUNDING;
         if (is_wide || (is_high && !a->scrolls)) {
-            fault(fixture, what, "'%s' is cut: %g %g %g %g in %g %g %g %g", a->text, (double)a->rect.x, (double)a->rect.y, (double)a->rect.width,
-                     (double)a->rect.height, (double)a->clip.x, (double)a->clip.y,
-                     (double)a->clip.width, (double)a->clip.height);
+            fault(fixture, what, "'%s' is cut: %g %g %g %g in %g %g %g %g", a->text,
+                  (double)a->rect.x, (double)a->rect.y, (double)a->rect.width,
+                  (double)a->rect.height, (double)a->clip.x, (double)a->clip.y,
+                  (double)a->clip.width, (double)a->clip.height);
         }
     }
 }

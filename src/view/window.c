@@ -338,8 +338,8 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
         window_icon_set(window->sdl.window); // After the first picture, which it would delay.
         window_open_widgets(window);
     }
-    bool has_point = settings_chart_panel_update(&window->settings_chart,
-                                                 window_active_viewport(window), scene);
+    bool has_point =
+        settings_chart_panel_update(&window->settings_chart, window_active_viewport(window), scene);
     if (window_widgets_are_due(window, now) || has_point) {
         window_present(window);
     }

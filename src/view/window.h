@@ -30,12 +30,12 @@ enum { WINDOW_VIEWPORTS = 2 };
 
 /** What the window shows beside its pictures. Each frame of the event loop sets it anew. */
 typedef struct WindowState {
-    const Scene *scene;    /**< The scene on screen; NULL: none yet. */
-    size_t selected_light; /**< Index of the light that keys move. */
-    bool is_animated;      /**< Whether the scene depends on time. */
-    bool is_running;       /**< Whether its time runs. */
-    bool is_recording;     /**< Whether a lesson is recorded. */
-    bool is_playing;       /**< Whether a lesson plays. */
+    const Scene *scene;         /**< The scene on screen; NULL: none yet. */
+    size_t selected_light;      /**< Index of the light that keys move. */
+    bool is_animated;           /**< Whether the scene depends on time. */
+    bool is_running;            /**< Whether its time runs. */
+    bool is_recording;          /**< Whether a lesson is recorded. */
+    bool is_playing;            /**< Whether a lesson plays. */
     const EditHistory *edits;   /**< What the user has changed of its objects. */
     const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;
@@ -48,15 +48,15 @@ typedef struct Toast {
 
 /** A window. Starts as `{0}`. */
 typedef struct Window {
-    Viewport viewports[WINDOW_VIEWPORTS]; /**< The viewports; the second is open only in the split
-                                             view. */
-    SplitView split;                      /**< How they share the window. */
-    RenderSettings base_settings;         /**< Settings of both without the user's changes. */
-    SdlWindow sdl;                        /**< The window on the screen. */
-    Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
-    GuiRect hud_rects[WINDOW_VIEWPORTS];  /**< Where these lie in this frame. */
+    Viewport viewports[WINDOW_VIEWPORTS];   /**< The viewports; the second is open only in the split
+                                               view. */
+    SplitView split;                        /**< How they share the window. */
+    RenderSettings base_settings;           /**< Settings of both without the user's changes. */
+    SdlWindow sdl;                          /**< The window on the screen. */
+    Hud huds[WINDOW_VIEWPORTS];             /**< The panel on each viewport. */
+    GuiRect hud_rects[WINDOW_VIEWPORTS];    /**< Where these lie in this frame. */
     GuiRect legend_rects[WINDOW_VIEWPORTS]; /**< Where the legends lie in it. */
-    bool shows_settings;                  /**< Whether the panels show the settings. */
+    bool shows_settings;                    /**< Whether the panels show the settings. */
     double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
     bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
     Toast layer_name;         /**< Name of the layer, in a presentation. */
@@ -72,16 +72,16 @@ typedef struct Window {
     int fitted_height;        /**< Height of bar and lesson panel that the window has
                                    room for, pixels. */
     LightMarks light_marks;   /**< The marks of the lights. */
-    ObjectInspector object_inspector; /**< The selected object. */
-    Magnifier magnifier;      /**< Some pixels as squares. */
+    ObjectInspector object_inspector;  /**< The selected object. */
+    Magnifier magnifier;               /**< Some pixels as squares. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
-    Toast toast;              /**< The newest message. */
-    Toast hint;               /**< What to press, at the start. */
-    double next_progress_time; /**< When bar or legend say next how far it is,
-                                    seconds. */
-    WindowState state;         /**< What they show. */
-    double text_scale;         /**< Factor of the size of letters; 0: 1. */
-    Latency latency;           /**< The latency from keys to pictures. */
+    Toast toast;                       /**< The newest message. */
+    Toast hint;                        /**< What to press, at the start. */
+    double next_progress_time;         /**< When bar or legend say next how far it is,
+                                            seconds. */
+    WindowState state;                 /**< What they show. */
+    double text_scale;                 /**< Factor of the size of letters; 0: 1. */
+    Latency latency;                   /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
     bool is_hidden;            /**< Whether the window is hidden or minimized. */
     uint32_t pass_event;       /**< SDL event of a finished pass. */

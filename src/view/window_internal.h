@@ -7,7 +7,8 @@
 
 #include "view/window.h"
 
-/* --- where things are: window_layout.c ---------------------------------------------------------- */
+/* --- where things are: window_layout.c ----------------------------------------------------------
+ */
 
 /** @return Pixels per screen unit: more than 1 on a HiDPI screen. */
 double window_pixels_per_unit(const Window *window);
@@ -36,7 +37,8 @@ float window_text_size(const Window *window);
 /** Folds the bar if it takes too much of the window. @return Whether it did. */
 bool window_fold_large_toolbar(Window *window);
 
-/* --- one frame ---------------------------------------------------------------------------------- */
+/* --- one frame ----------------------------------------------------------------------------------
+ */
 
 /** Draws the pictures, or the rays. */
 void window_draw_pictures(Window *window);
@@ -72,7 +74,8 @@ void window_show_progress(Window *window);
  *  none. */
 double window_progress_timeout(const Window *window, double now);
 
-/* --- messages: window_messages.c ---------------------------------------------------------------- */
+/* --- messages: window_messages.c ----------------------------------------------------------------
+ */
 
 /** Writes what a newcomer may press. */
 void window_set_hint(Window *window);

@@ -60,7 +60,9 @@ bool window_picture_position(const Window *window, int x, int y, double *right, 
 }
 
 int window_toolbar_height(const Window *window) {
-    return window->gui ? (int)((double)window->toolbar.height * window_pixels_per_unit(window) + 0.5) : 0;
+    return window->gui
+               ? (int)((double)window->toolbar.height * window_pixels_per_unit(window) + 0.5)
+               : 0;
 }
 
 SDL_Rect window_split_off_panel(const Window *window, SDL_Rect *area) {

@@ -37,7 +37,8 @@ static bool overlaps(const GuiRect *a, const GuiRect *b) {
            b->y < a->y + a->height;
 }
 
-/** @return Whether a part of the window holds a legend, settings, or what lies outside of a room. */
+/** @return Whether a part of the window holds a legend, settings, or what lies outside of a room.
+ */
 static bool is_taken(const Window *window, const GuiRect *rect, const GuiRect *room) {
     bool is_inside = rect->y >= room->y && rect->y + rect->height <= room->y + room->height;
     bool is_free = is_inside;

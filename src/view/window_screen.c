@@ -7,7 +7,8 @@
 
 #include <stdlib.h>
 
-/* --- drawing ------------------------------------------------------------------------------------ */
+/* --- drawing ------------------------------------------------------------------------------------
+ */
 
 /** Draws the viewports. */
 static void draw_viewports(Window *window) {
@@ -44,7 +45,8 @@ void window_present(Window *window) {
     sdl_window_present(&window->sdl);
 }
 
-/* --- copies ------------------------------------------------------------------------------------- */
+/* --- copies -------------------------------------------------------------------------------------
+ */
 
 /** Copies the picture on screen. @param[out] bgrx See #split_view_compose. @return false without
  * memory. */

@@ -101,8 +101,7 @@ static void show_legends(Window *window) {
                                  .progress = renderer_progress(viewport->renderer)};
         legend_write(&content, &legend);
         if (legend.title[0] != '\0') {
-            window->legend_rects[i] =
-                draw_legend(window, &legend, &area, count == 1 || i == 1);
+            window->legend_rects[i] = draw_legend(window, &legend, &area, count == 1 || i == 1);
         }
     }
 }

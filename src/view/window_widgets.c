@@ -103,7 +103,8 @@ static void show_rays(Window *window) {
 
 /** Shows the panel of the lesson that plays. */
 static void show_lesson_panel(Window *window) {
-    SDL_Rect area = window_area_below_toolbar(window), panel = window_split_off_panel(window, &area);
+    SDL_Rect area = window_area_below_toolbar(window),
+             panel = window_split_off_panel(window, &area);
     if (window->lesson_panel.lesson) {
         panel = window_to_units(window, panel);
         lesson_panel_show(&window->lesson_panel, &panel);
@@ -149,8 +150,7 @@ void window_show_widgets(Window *window) {
         show_object_inspector(window);
         window_follow_mouse(window);
         GuiRect above_message = area;
-        above_message.height =
-            SDL_max(1, area.height - window_messages_height(window));
+        above_message.height = SDL_max(1, area.height - window_messages_height(window));
         window_show_huds(window, &above_message);
         window_show_values(window);
         window_show_readout(window);

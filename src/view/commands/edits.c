@@ -111,6 +111,14 @@ void edits_select_next(App *app, int step) {
     const ObjectInspector *inspector = &app->window.object_inspector;
     const Scene *scene = app->scene;
     size_t count = scene->shape_count + scene->light_count, present = step > 0 ? count - 1 : 0;
+    SceneObject middle;
+    Vec3d point;
+    // A floor of a hundred tiles would come before what the picture is about.
+    if (inspector->number == 0 && find_object_at(app, 0.5, 0.5, &middle, &point) &&
+        middle.origin->number > 0) {
+        edits_click(app, 0.5, 0.5);
+        return;
+    }
     for (size_t i = 0; i < count && inspector->number > 0; i++) {
         SceneObject object = object_at(scene, i);
         if (object.keyword == inspector->keyword && object.origin->number == inspector->number) {

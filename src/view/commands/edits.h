@@ -19,7 +19,8 @@ void edits_click(App *app, double x, double y);
 /** Selects a light whose mark was clicked. @param light Its index. */
 void edits_click_light(App *app, size_t light);
 
-/** Selects the next shape or light that can be changed. @param step 1: the next; -1: the one
+/** Selects the next shape or light that can be changed; at first, what is in the middle of the
+ *  picture. @param step 1: the next; -1: the one
  *  before. */
 void edits_select_next(App *app, int step);
 

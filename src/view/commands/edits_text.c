@@ -143,7 +143,8 @@ static bool check_file(const App *app, Error *error) {
     bool is_installed = data_dir_scenes(folder) && realpath(path, own) &&
                         strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
     if (is_installed) {
-        return error_set(error, STATUS_FAILED, "this scene belongs to the program: save a copy (Ctrl Shift S)");
+        return error_set(error, STATUS_FAILED,
+                         "this scene belongs to the program: save a copy (Ctrl Shift S)");
     }
     if (current_scene_file_changed(app)) {
         return error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");
@@ -207,7 +208,8 @@ void edits_write(App *app) {
     }
 }
 
-/* --- copies ------------------------------------------------------------------------------------- */
+/* --- copies -------------------------------------------------------------------------------------
+ */
 
 /** Text to be written. */
 typedef struct CopyText {

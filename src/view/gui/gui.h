@@ -2,9 +2,10 @@
  * @file
  * @brief The graphical user interface over the picture: buttons, lists, sliders, text and marks.
  *
- * A C header over Dear ImGui, which the C++ files beside it alone include. It is an immediate-mode interface: each
- * frame calls one function per widget, which draws it and returns what the user did with it. All
- * functions are called by the thread of the window. Labels and tooltips are already translated.
+ * A C header over Dear ImGui, which the C++ files beside it alone include. It is an immediate-mode
+ * interface: each frame calls one function per widget, which draws it and returns what the user did
+ * with it. All functions are called by the thread of the window. Labels and tooltips are already
+ * translated.
  */
 #ifndef DIOPTRE_VIEW_GUI_GUI_H
 #define DIOPTRE_VIEW_GUI_GUI_H
@@ -87,7 +88,8 @@ void gui_set_cursor(GuiCursor cursor);
 /** Shows the mouse as a large ring, which a class sees, or as usual. */
 void gui_set_ring(Gui *gui, bool is_wanted);
 
-/** Writes a text in very large letters. @param top Middle of its upper edge. @return Its lower end. */
+/** Writes a text in very large letters. @param top Middle of its upper edge. @return Its lower end.
+ */
 float gui_title(const char *text, GuiPoint top);
 
 /* --- the palette ------------------------------------------------------------------------------ */
@@ -405,7 +407,8 @@ void gui_card_begin(const char *id);
 /** Writes an item of a list in as many lines as it needs. */
 void gui_item(const char *text);
 
-/** Puts the next widget into the line of the last one, where it has room. @param label Its words. */
+/** Puts the next widget into the line of the last one, where it has room. @param label Its words.
+ */
 void gui_same_line(const char *label);
 
 /** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked

@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief Drawing a frame: letters and triangles of Dear ImGui, and panels that are kept as pictures.
+ * @brief Drawing a frame: letters and triangles of Dear ImGui, and panels that are kept as
+ * pictures.
  *
  * SDL's software renderer needs 2 ms for the triangles of the toolbar and 0.1 ms for its picture.
  * Most panels are the same in most frames, so each is drawn into a picture of its own, which stays
@@ -131,8 +132,8 @@ bool draw_picture(SDL_Renderer *renderer, KeptPanel *panel) {
         SDL_RenderSetViewport(renderer, &viewport);
         draw_triangles(renderer, panel->list);
         SDL_RenderSetViewport(renderer, nullptr);
-        is_drawn = SDL_RenderReadPixels(renderer, nullptr, SDL_PIXELFORMAT_ARGB8888, pixels,
-                                        pitch) == 0;
+        is_drawn =
+            SDL_RenderReadPixels(renderer, nullptr, SDL_PIXELFORMAT_ARGB8888, pixels, pitch) == 0;
         SDL_SetRenderTarget(renderer, nullptr);
     }
     if (is_drawn) {

@@ -168,11 +168,10 @@ void gui_inspector_end() {
 }
 
 bool gui_inspector_section(const char *label, bool is_open_at_first) {
-    bool is_open = ImGui::CollapsingHeader(
-        label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+    bool is_open = ImGui::CollapsingHeader(label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen
+                                                                   : ImGuiTreeNodeFlags_None);
     ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(label);
-    ImVec2 at(low.x + ImGui::GetTreeNodeToLabelSpacing(),
-              low.y + ImGui::GetStyle().FramePadding.y);
+    ImVec2 at(low.x + ImGui::GetTreeNodeToLabelSpacing(), low.y + ImGui::GetStyle().FramePadding.y);
     record_text(label, at, ImVec2(at.x + size.x, at.y + size.y),
                 clipped(low, ImGui::GetItemRectMax()), ImGui::GetFontSize());
     return is_open;
@@ -190,10 +189,9 @@ bool gui_edit_numbers(const char *label, double *numbers, int count, double low,
                       double speed, const char *tooltip) {
     const char *format = count > 1 ? "%.3g" : "%.4g";
     ImVec2 left = ImGui::GetCursorScreenPos();
-    bool is_changed =
-        ImGui::DragScalarN(label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed),
-                           &low, &high, format,
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+    bool is_changed = ImGui::DragScalarN(
+        label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed), &low, &high, format,
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
     record_right_label(label);
     show_tooltip(tooltip);
     record_numbers(numbers, count, format, left, ImGui::CalcItemWidth());

@@ -15,7 +15,8 @@ static const double PINCH_NOTCHES = 30;
 /** Screen units that the mouse may move during a click. */
 static const int CLICK_TOLERANCE = 3;
 
-/* --- the left button: clicks and drags ----------------------------------------------------------- */
+/* --- the left button: clicks and drags -----------------------------------------------------------
+ */
 
 /** @return Width of the window, screen units. */
 static int mouse_window_width(const App *app) {

@@ -21,8 +21,9 @@ double picture_unrest(const Viewport *viewport, const PicturePart *part) {
     double sum = 0, squares = 0;
     for (int i = 0; viewport->renderer && i < count; i++) {
         double across = (i % COLUMNS + 0.5) / COLUMNS, down = (i / COLUMNS + 0.5) / ROWS;
-        double brightness = brightness_at(viewport, part->left + (part->right - part->left) * across,
-                                          part->top + (part->bottom - part->top) * down);
+        double brightness =
+            brightness_at(viewport, part->left + (part->right - part->left) * across,
+                          part->top + (part->bottom - part->top) * down);
         sum += brightness;
         squares += brightness * brightness;
     }

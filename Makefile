@@ -182,7 +182,7 @@ RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev liblua5.4-dev libcairo2-dev 
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
-                 valgrind binutils
+                 valgrind binutils libembree-dev libgl-dev
 COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox valgrind binutils
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
@@ -213,12 +213,12 @@ run: packages
 .PHONY: web test-web
 web:
 	@.ci/packages $(WEB_PACKAGES)
+	@command -v npm >/dev/null || .ci/packages npm
 	@.ci/sources build/web-work/sources $(WEB_LIBRARY_SOURCES)
 	@$(MAKE) --no-print-directory -j$$(nproc) -f src/web/Makefile page
-# In a real browser, against the pictures of the desktop's program.
+# In real browsers, against the pictures of the desktop's program.
 test-web: web packages
-	@.ci/packages chromium
-	@command -v npm >/dev/null || .ci/packages npm
+	@.ci/packages chromium firefox-esr
 	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
 
@@ -264,16 +264,19 @@ coverage: test-packages
 	@$(MAKE) --no-print-directory -j2 $(COVERAGE_BUILD) all tests
 	@tests/coverage.sh
 
+# What `make bench` and `make peers` run.
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(BUILD)/bench-needs
+PEER_PROGRAMS  := $(addprefix $(BUILD)/peer-,embree accuracy fragment)
 .PHONY: test tests
 test: test-packages
-	@$(MAKE) --no-print-directory -j2 all tests
+	@$(MAKE) --no-print-directory -j2 all tests $(BENCH_PROGRAMS) $(PEER_PROGRAMS)
 	@$(MAKE) --no-print-directory -j2 $(ASAN_BUILD) all tests
 	@$(MAKE) --no-print-directory -j2 clang
 	@$(MAKE) --no-print-directory -j2 $(FUZZ_BUILD) fuzzers
 	@$(MAKE) --no-print-directory tsan
 	@tests/run.sh
 
-tests: $(TESTS) $(BUILD)/tests/faults.so
+tests: $(TESTS) $(BUILD)/tests/faults.so $(CATALOGUES)
 
 # Makes calls to the system fail; never linked, but preloaded.
 $(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)
@@ -365,19 +368,22 @@ soak: test-packages asan
 	BUILD=build/asan SOAK_SECONDS=$(or $(SOAK_SECONDS),1800) tests/soak.sh
 
 # --- measuring -----------------------------------------------------------------------------------
-.PHONY: bench peers
+# Compiler and flags, for the files.
 MADE_WITH = $(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)
+.PHONY: bench peers
 bench: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(addprefix $(BUILD)/tests/bench/,tree marching march-steps)
-	@tests/bench.sh
+	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench.sh
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/profile.sh
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/run.sh
+	@doc/figures.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree $(BUILD)/peer-accuracy $(BUILD)/peer-fragment
+	@$(MAKE) --no-print-directory all $(PEER_PROGRAMS)
 	@status=0; for script in run embree accuracy fragment; do \
-	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
+	    BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/peers/$$script.sh || status=1; done; \
+	    doc/figures.sh && exit $$status
 
 # Beside the modules, so that it finds them.
 $(BUILD)/peer-embree: tests/peers/embree.c $(ROOMS)
@@ -396,7 +402,7 @@ CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figu
 .PHONY: charts
 charts: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/bench-needs
+	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
 	@mkdir -p $(BUILD)/lab
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
 	$(PROGRAM) chart --kernels --out doc/lab >$(BUILD)/lab/kernels.txt

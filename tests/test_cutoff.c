@@ -263,13 +263,10 @@ static Scene *half_mirror_scene(void) {
     return scene;
 }
 
-/** @return A ball that lets red light through and mirrors all other light, in a mirroring ball: the
- *          throughput of no ray ever falls. */
-static Scene *undying_rays_scene(void) {
+/** @return A ball in a perfectly mirroring ball that glows a little. @param material Of the ball
+ *          inside. */
+static Scene *ball_in_mirror_scene(SceneMaterial material) {
     Scene *scene = create_empty_scene();
-    SceneMaterial material = glass_material(1.5);
-    material.transparency = (Rgbd){1, 0, 0};
-    material.reflectivity = (Rgbd){0, 1, 1};
     use_material(scene, material);
     add_placed_sphere(scene, here, (Vec3d){0, 0, 0}, 2);
     SceneMaterial mirror = mirror_material(1);
@@ -311,12 +308,12 @@ static void test_wavefronts(void **state) {
 }
 
 /** Traces the camera ray of a picture of one pixel recursively. @return The number of rays. */
-static RayCounts trace_recursively(const Engine *engine, const Scene *scene, int depth,
+static RayCounts trace_recursively(const Engine *engine, const Scene *scene, TraceLimits limits,
                                    double *rgb) {
     Error error = {0};
     uint64_t path_hash;
     const TraceSettings settings = {
-        .depth = depth, .cutoff = CUTOFF_DEFAULT, .offset = OFFSET_BOUND};
+        .depth = limits.depth, .cutoff = limits.cutoff, .offset = OFFSET_BOUND};
     Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
     PixelGrid grid = {.columns = 1, .rows = 1, .stride = 1, .path_hashes = &path_hash};
@@ -328,21 +325,74 @@ static RayCounts trace_recursively(const Engine *engine, const Scene *scene, int
 }
 
 /** One camera ray with more rays than a wavefront has room for is traced recursively. */
-static void test_undying_rays(void **state) {
+static void test_ray_without_room(void **state) {
     (void)state;
     const Engine *engine = engine_with_role(ENGINE_FASTEST), *scalar = engine_scalar(engine);
-    Scene *scene = undying_rays_scene();
+    SceneMaterial half = glass_material(1.5);
+    half.transparency = half.reflectivity = (Rgbd){0.5, 0.5, 0.5};
+    Scene *scene = ball_in_mirror_scene(half);
+    const TraceLimits limits = {22, CUTOFF_DEFAULT / 1000};
     double wide[3], narrow[3], alone[3];
-    RayCounts counts = trace_picture(engine, scene, (TraceLimits){24, 0}, 1, 1, wide);
+    RayCounts counts = trace_picture(engine, scene, limits, 1, 1, wide);
     assert_true(wide[0] > 0.02);
-    trace_picture(scalar, scene, (TraceLimits){24, 0}, 1, 1, narrow);
+    trace_picture(scalar, scene, limits, 1, 1, narrow);
     assert_memory_equal(wide, narrow, sizeof wide);
     // The rays of the wavefront that found no room are counted, too.
-    RayCounts recursive = trace_recursively(engine, scene, 24, alone);
+    RayCounts recursive = trace_recursively(engine, scene, limits, alone);
     assert_memory_equal(wide, alone, sizeof wide);
     assert_true(counts.reflection + counts.refraction >
                 recursive.reflection + recursive.refraction);
     scene_destroy(scene);
+}
+
+/**
+ * A ball that lets red light through and mirrors all other light, in a mirror: each ray has light
+ * of some channel, but red and the others part once and for all. The product of the largest weights
+ * would be 1 on every path, and the number of paths would double at each turn.
+ */
+static void test_parted_colors(void **state) {
+    (void)state;
+    const Engine *engine = engine_with_role(ENGINE_FASTEST);
+    SceneMaterial material = glass_material(1.5);
+    material.transparency = (Rgbd){1, 0, 0};
+    material.reflectivity = (Rgbd){0, 1, 1};
+    Scene *scene = ball_in_mirror_scene(material);
+    double rgb[3], alone[3];
+    RayCounts counts =
+        trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
+    print_message("rays of colours that part: %d\n",
+                  (int)(counts.reflection + counts.refraction));
+    assert_true(counts.reflection + counts.refraction < 10000); // Not some 2^24.
+    trace_recursively(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, alone);
+    assert_memory_equal(rgb, alone, sizeof rgb);
+    scene_destroy(scene);
+}
+
+/** Each channel has a budget of its own: a red pixel behind panes is as soon done as a white one.
+ */
+static void test_budget_of_channels(void **state) {
+    (void)state;
+    const Engine *engine = engine_with_role(ENGINE_DOUBLE);
+    static const Rgbd colors[] = {{1, 1, 1}, {1, 0, 0}};
+    uint64_t rays[2];
+    for (int i = 0; i < 2; i++) {
+        double rgb[VALUES];
+        Scene *scene = create_empty_scene();
+        SceneMaterial glass = glass_material(1.5);
+        glass.transparency = colors[i];
+        scene->sky.horizon = scene->sky.zenith = (Rgbd){0.8, 0.8, 0.8};
+        use_material(scene, glass);
+        for (int pane = 0; pane < 4; pane++) {
+            add_placed_box(scene, here, (Vec3d){-9, -9, -pane}, (Vec3d){9, 9, 0.5 - pane});
+        }
+        set_camera(scene, here, (Vec3d){0.1, 0.2, 5}, (Vec3d){0, 0, -1});
+        RayCounts counts = trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, CUTOFF_DEFAULT},
+                                         COLUMNS, ROWS, rgb);
+        rays[i] = counts.reflection + counts.refraction;
+        scene_destroy(scene);
+    }
+    print_message("rays of white and red panes: %d, %d\n", (int)rays[0], (int)rays[1]);
+    assert_true(rays[1] <= rays[0]);
 }
 
 /** @return Number of failed tests. */
@@ -351,7 +401,8 @@ int main(void) {
         cmocka_unit_test(test_random_scenes),   cmocka_unit_test(test_lanes),
         cmocka_unit_test(test_bright_lights),   cmocka_unit_test(test_guard),
         cmocka_unit_test(test_hidden_surfaces), cmocka_unit_test(test_wavefronts),
-        cmocka_unit_test(test_undying_rays),
+        cmocka_unit_test(test_ray_without_room), cmocka_unit_test(test_parted_colors),
+        cmocka_unit_test(test_budget_of_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

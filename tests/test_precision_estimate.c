@@ -34,6 +34,8 @@ typedef struct Expectation {
 static const Expectation expectations[] = {
     {"tests/scenes/overlapping-balls.lua", false, PRECISION_TRAPPED_LIGHT},
     {"tests/scenes/bubbles.lua", false, PRECISION_TRAPPED_LIGHT},
+    {"tests/scenes/ellipsoids.lua", false, PRECISION_TRAPPED_LIGHT},
+    {"tests/scenes/mirror-room.lua", false, PRECISION_RAY_DIVERGENCE},
     {"tests/scenes/touching-balls.lua", true, 0},
     {"scenes/glass-sphere.lua", true, 0},
     {"scenes/figure-18.lua", true, 0},

@@ -201,6 +201,31 @@ static void count_event(void *context) {
     pthread_mutex_unlock(&witness->mutex);
 }
 
+/** @return The rays of a forecast of a scene. */
+static RayCounts forecast_of(const char *path, int width, int height) {
+    Scene *scene = load_scene(path);
+    RenderSettings settings = render_settings_default(scene);
+    settings.width = width;
+    settings.height = height;
+    Renderer *renderer = create_renderer(scene, &settings);
+    RayCounts rays = renderer_forecast_light(renderer, 100, NULL);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+    return rays;
+}
+
+/** A forecast finds that light will be missing, also of small pictures, and in no simple one. */
+static void test_forecast_of_light(void **state) {
+    (void)state;
+    RayCounts small = forecast_of("tests/scenes/five-panes.lua", 64, 48);
+    assert_true(small.unresolved > 0 && small.unresolved_steps > 0.25);
+    assert_true(small.camera >= 500 && small.camera <= 64 * 48);
+    RayCounts large = forecast_of("scenes/box.lua", 803, 601);
+    assert_true(large.unresolved == 0);
+    assert_true(large.camera == 101 * 76);
+    assert_true(forecast_of("scenes/figure-07.lua", 64, 48).camera == 0);
+}
+
 /** The first event of a scene whose first pass takes long comes before that pass has ended: some
  *  pixels are there, and others are not. */
 static void test_first_pass_in_parts(void **state) {
@@ -487,6 +512,7 @@ int main(void) {
         cmocka_unit_test(test_scale),
         cmocka_unit_test(test_background),
         cmocka_unit_test(test_first_pass_in_parts),
+        cmocka_unit_test(test_forecast_of_light),
         cmocka_unit_test(test_stop),
         cmocka_unit_test(test_small_sizes),
         cmocka_unit_test(test_symmetry),

@@ -277,4 +277,16 @@ RenderStats renderer_benchmark_rays(Renderer *renderer, bool random);
  */
 RenderStats renderer_sample_camera_rays(Renderer *renderer, double seconds);
 
+/**
+ * Traces a camera ray for every eighth pixel of every eighth row (of small pictures for more), with
+ * all that come from it, in an order that is spread over the picture, until all are traced or the
+ * time is over: to say before a picture how much of its light it will lack.
+ * @param renderer  The renderer, idle in the background.
+ * @param seconds   The time.
+ * @param stop      Once true, the rest is left out; may be NULL.
+ * @return The rays; #RayCounts.unresolved of #RayCounts.camera lack more light than the cutoff
+ *         allows. None where nothing is reflected or refracted.
+ */
+RayCounts renderer_forecast_light(Renderer *renderer, double seconds, const atomic_bool *stop);
+
 #endif

@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/image_metadata.h"
 
-#include <stddef.h>
 #include <stdint.h>
 
 /** A picture, as in a file or on a screen. */

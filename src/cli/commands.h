@@ -134,7 +134,7 @@ typedef struct RenderJob {
 } RenderJob;
 
 /**
- * Renders a scene.
+ * Renders a scene. Before the first picture it says what light will be missing.
  * @param job  The picture.
  * @param[in,out] renderer  The renderer of the previous picture, whose mesh BVHs are reused, or
  * NULL; then that of this one, to be freed with #renderer_destroy.
@@ -143,6 +143,15 @@ typedef struct RenderJob {
  */
 bool command_render(const RenderJob *job, const Scene *scene, Renderer **renderer, Picture *picture,
                     RenderStats *report, Error *error);
+
+/** Time for a forecast of the light that a picture will lack, seconds. */
+#define FORECAST_SECONDS 0.3
+
+/**
+ * Says on standard error, before a picture, that some of its camera rays will lack more light than
+ * the cutoff allows, if one of those that are tried does and the options do not ask for quiet.
+ */
+void command_forecast_light(const Options *options, Renderer *renderer);
 
 /**
  * Says on standard error that camera rays lack more light than the cutoff allows, if any does and

@@ -96,6 +96,12 @@ RenderSettings command_print_notes(const Options *options, const Scene *scene) {
     if (estimate.z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
         print_coincident(&estimate.z_fighting);
     }
+    if (estimate.smooth_glass_line > 0 && !options->quiet) {
+        fprintf(stderr,
+                gettext("dioptre: line %d: glass with smooth normals: where they reflect a ray "
+                        "through its own facet, rounding decides what is seen; flat ones do not\n"),
+                estimate.smooth_glass_line);
+    }
     return settings_from(options, scene, &estimate);
 }
 

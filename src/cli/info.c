@@ -26,6 +26,7 @@ typedef struct SceneInfo {
     RenderSettings settings; /**< The settings for rendering it. */
     TracerStats contents;    /**< The contents of its tracer. */
     size_t sampled_rays;     /**< Camera rays that were traced for TracerStats::step_limit_count. */
+    RayCounts forecast;      /**< Rays of a forecast of the light that the picture will lack. */
     size_t shape_counts[SHAPE_CLASSES_MAXIMUM]; /**< Shapes of each class. */
     size_t reflective;                          /**< Shapes with a reflective material. */
     size_t transparent;                         /**< Shapes with a transparent material. */
@@ -169,6 +170,29 @@ static void write_reflections(const SceneInfo *info, JsonWriter *json) {
     json_count(json, "specular", info->specular);
     json_integer(json, "depth", info->settings.trace.depth);
     json_number(json, "cutoff", info->settings.trace.cutoff, 6);
+}
+
+/** Prints how many camera rays will lack more light than the cutoff allows. */
+static void print_missing_light(const SceneInfo *info) {
+    const RayCounts *rays = &info->forecast;
+    printf(gettext("%llu of %llu camera rays lack more than the cutoff"),
+           (unsigned long long)rays->unresolved, (unsigned long long)rays->camera);
+    if (rays->unresolved > 0) {
+        printf(gettext(", at most %.2g steps"), rays->unresolved_steps);
+    }
+    putchar('\n');
+}
+
+/** @return Whether light is reflected or refracted. */
+static bool has_forecast(const SceneInfo *info) {
+    return info->forecast.camera > 0;
+}
+
+/** Writes the same as JSON. */
+static void write_missing_light(const SceneInfo *info, JsonWriter *json) {
+    json_count(json, "unresolved", info->forecast.unresolved);
+    json_count(json, "unresolved_rays", info->forecast.camera);
+    json_number(json, "unresolved_steps", info->forecast.unresolved_steps, 3);
 }
 
 /** Prints the size of the picture and its rays per pixel. */
@@ -462,6 +486,7 @@ static const Fact facts[] = {
     {N_("lights"), print_lights, write_lights, NULL},
     {N_("materials"), print_materials, write_materials, NULL},
     {N_("reflections"), print_reflections, write_reflections, NULL},
+    {N_("missing light"), print_missing_light, write_missing_light, has_forecast},
     {N_("picture"), print_picture, write_picture, NULL},
     {N_("time"), print_time, write_time, NULL},
     {N_("engine"), print_engine, write_engine, NULL},
@@ -531,7 +556,8 @@ void cli_info(const Options *options, Error *error) {
         if (info.has_sdfs) {
             info.sampled_rays = renderer_sample_camera_rays(renderer, SAMPLE_SECONDS).rays.camera;
         }
-        info.contents = renderer_contents(renderer);
+        info.contents = renderer_contents(renderer); // Before the forecast's rays count.
+        info.forecast = renderer_forecast_light(renderer, FORECAST_SECONDS, interrupt_flag());
         list_omissions(&info);
         options->json ? info_print_json(&info) : info_print(&info);
     }

@@ -23,6 +23,7 @@ struct Progress {
     int done;                 /**< Number of pictures that are done. */
     bool is_film;             /**< Whether there are several pictures. */
     bool is_json;             /**< JSON lines instead of one line of text. */
+    bool has_begun;           /**< Whether a picture was begun or done: before, others print. */
     bool is_ended;            /**< Whether the thread is to end. */
     pthread_mutex_t mutex;    /**< Guards all members. */
     pthread_cond_t wake;      /**< Signalled at the end. */
@@ -84,7 +85,7 @@ static void *progress_main(void *argument) {
         until.tv_sec += until.tv_nsec / 1000000000L;
         until.tv_nsec %= 1000000000L;
         pthread_cond_timedwait(&progress->wake, &progress->mutex, &until);
-        if (!progress->is_ended) {
+        if (!progress->is_ended && progress->has_begun) {
             progress_print(progress);
         }
     }
@@ -174,6 +175,7 @@ static void progress_update(Progress *progress, const Renderer *renderer, int do
     if (progress) {
         pthread_mutex_lock(&progress->mutex);
         progress->renderer = renderer;
+        progress->has_begun = true;
         progress->done += done;
         progress->pictures -= skipped;
         pthread_mutex_unlock(&progress->mutex);

@@ -24,6 +24,9 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
     *renderer = renderer_create_reusing(previous, scene, settings, error);
     renderer_destroy(previous);
     if (*renderer) {
+        if (!previous) {
+            command_forecast_light(job->options, *renderer);
+        }
         progress_set_renderer(job->progress, *renderer);
         *report = renderer_render(*renderer, interrupt_flag(), picture);
         progress_done(job->progress);
@@ -43,6 +46,20 @@ bool command_write_image(const RenderJob *job, Picture *picture, Error *error) {
     bool is_written = command_write_file(job, picture, error);
     picture->metadata = NULL;
     return is_written;
+}
+
+void command_forecast_light(const Options *options, Renderer *renderer) {
+    if (options->quiet) {
+        return;
+    }
+    RayCounts rays = renderer_forecast_light(renderer, FORECAST_SECONDS, interrupt_flag());
+    if (rays.unresolved > 0) {
+        double percent = 100 * (double)rays.unresolved / (double)rays.camera;
+        fprintf(stderr,
+                gettext("dioptre: some %.2g %% of the camera rays will lack light, of at most %.2g "
+                        "steps of 255: reflections go on and on\n"),
+                percent, rays.unresolved_steps);
+    }
 }
 
 void command_print_unresolved(const Options *options, const RayCounts *rays) {

@@ -53,6 +53,9 @@ enum { DEPTH_LIMIT = 64 };
  *  mirrors, even between four that touch. */
 enum { BOUNCES_COUNTED = 8 };
 
+/** The same in a room of mirrors, where rays come back. */
+enum { ROOM_BOUNCES_COUNTED = 16 };
+
 /** Largest number of transparent shapes whose walls are compared. */
 enum { WALLS_MAXIMUM = 64 };
 
@@ -63,6 +66,8 @@ typedef struct SceneMeasures {
     int reflective_count;        /**< Number of curved reflective shapes. */
     int transparent_count;       /**< Number of curved transparent shapes. */
     double max_reflectance;      /**< Largest reflectance of a curved shape. */
+    double max_transmittance;    /**< Largest transmittance of a curved shape. */
+    double room_reflectance;     /**< Largest reflectance of a shape that the camera is in. */
     Vec3d origin;                /**< #scene_local_origin */
     double slant; /**< direction_slant(); 1 if surfaces turn rays in other directions. */
     double terminator_fraction; /**< Fraction of the picture whose faces float lights wrongly. */
@@ -213,6 +218,14 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     measures->transparent_count += !is_flat && transmittance > 0;
     measures->max_reflectance =
         !is_flat ? fmax(measures->max_reflectance, reflectance) : measures->max_reflectance;
+    measures->max_transmittance =
+        !is_flat ? fmax(measures->max_transmittance, transmittance) : measures->max_transmittance;
+    if (is_bounded && aabbd_distance(&facts->bounds, measures->scene->camera.position) == 0) {
+        measures->room_reflectance = fmax(measures->room_reflectance, reflectance);
+    }
+    if (transmittance > 0 && facts->is_smooth && measures->estimate->smooth_glass_line == 0) {
+        measures->estimate->smooth_glass_line = shape->origin.line;
+    }
     if (transmittance > 0 && is_bounded && measures->glass_count < WALLS_MAXIMUM) {
         measures->glass[measures->glass_count++] = (GlassShape){.bounds = facts->bounds,
                                                                 .is_flat = is_flat,
@@ -277,6 +290,17 @@ static void accumulate_wall_pair(SceneMeasures *measures, const Aabbd *a, const 
                        PRECISION_VISIBLE_ERROR * WALL_ROUNDINGS * FLOAT_ROUNDOFF * magnitude / gap);
 }
 
+/**
+ * @return The growth of the distance between rays in a room of mirrors, weighed by the light that
+ *         they keep: its walls send rays back to curved shapes again and again (Sinai's billiard).
+ *  @param depth Recursion depth.
+ */
+static double room_growth(const SceneMeasures *measures, int depth) {
+    double kept = fmax(measures->max_reflectance, measures->max_transmittance);
+    double spread = REFLECTION_SPREAD * kept * measures->room_reflectance;
+    return spread > 1 ? pow(spread, fmin(depth, ROOM_BOUNCES_COUNTED)) : 0;
+}
+
 /** Estimates the divergence of rays on curved mirrors and glass, after all shapes are accumulated.
  *  @param depth Recursion depth. */
 static void accumulate_ray_divergence(SceneMeasures *measures, int depth) {
@@ -291,8 +315,8 @@ static void accumulate_ray_divergence(SceneMeasures *measures, int depth) {
         2 * measures->transparent_count < depth ? 2 * measures->transparent_count : depth;
     double refraction_growth = pow(REFRACTION_SPREAD, refractions);
     estimate->bounces = reflection_growth > refraction_growth ? bounces : refractions;
-    double error = FLOAT_ROUNDOFF * fmax(reflection_growth, refraction_growth) *
-                   fmax(1, measures->texels_per_radian);
+    double growth = fmax(fmax(reflection_growth, refraction_growth), room_growth(measures, depth));
+    double error = FLOAT_ROUNDOFF * growth * fmax(1, measures->texels_per_radian);
     keep_largest_error(estimate, PRECISION_RAY_DIVERGENCE,
                        estimate->bounces > 0 ? ENCODING_CODE_MAXIMUM * error : 0);
 }

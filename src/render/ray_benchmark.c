@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Closest hits alone: a benchmark for `bench --rays`, a sample of the picture for `info`.
+ * @brief Closest hits alone: a benchmark for `bench --rays`.
  */
 #include "render/renderer_internal.h"
 
@@ -93,86 +93,4 @@ RenderStats renderer_benchmark_rays(Renderer *renderer, bool random) {
     free(rays);
     return (RenderStats){
         .seconds = seconds, .rays = {.camera = count}, .progress = 1, .is_finished = true};
-}
-
-/* --- a sample of the picture ---------------------------------------------------------------------
- */
-
-/** Width and height of a block of pixels. */
-enum { BLOCK_SIZE = 8 };
-
-/** A sample of the picture, as its threads share it. */
-typedef struct RaySample {
-    const Renderer *renderer; /**< The renderer. */
-    size_t count;             /**< Number of blocks of the picture. */
-    size_t step;              /**< From a block to the next one in time, modulo #count. */
-    double deadline;          /**< On #clock_now_seconds. */
-    atomic_size_t rays_done;  /**< Rays that were traced. */
-} RaySample;
-
-/** @return Blocks of a row or a column. @param pixels Pixels of it. */
-static size_t blocks_along(int pixels) {
-    return ((size_t)pixels + BLOCK_SIZE - 1) / BLOCK_SIZE;
-}
-
-/** @return The smaller number. */
-static int smaller(int a, int b) {
-    return a < b ? a : b;
-}
-
-/**
- * Traces the camera rays of a block, as long as there is time. See #ThreadPoolTask. Between two
- * looks at the clock, an engine traces eight packets: a ray may take milliseconds in quad.
- */
-static void sample_block(void *context, size_t index) {
-    RaySample *sample = context;
-    const RenderSettings *settings = &sample->renderer->settings;
-    size_t block = index * sample->step % sample->count, across = blocks_along(settings->width);
-    int x = (int)(block % across) * BLOCK_SIZE, y = (int)(block / across) * BLOCK_SIZE;
-    int end = smaller(y + BLOCK_SIZE, settings->height);
-    PixelGrid grid = {.x = x, .columns = smaller(BLOCK_SIZE, settings->width - x), .stride = 1};
-    int shapes[BLOCK_SIZE * BLOCK_SIZE];
-    double distances[BLOCK_SIZE * BLOCK_SIZE];
-    for (grid.y = y; grid.y < end && clock_now_seconds() <= sample->deadline; grid.y += grid.rows) {
-        grid.rows = smaller(settings->engine->lanes, end - grid.y);
-        settings->engine->trace_primary(sample->renderer->tracer, &grid, shapes, distances);
-        atomic_fetch_add(&sample->rays_done, (size_t)grid.columns * (size_t)grid.rows);
-    }
-}
-
-/**
- * @return A step through blocks that visits each once and spreads any number of them evenly: near
- *         the golden ratio of their number, and without a common divisor with it (Weyl's sequence).
- * @param count  Number of blocks, at least 1.
- */
-static size_t spreading_step(size_t count) {
-    size_t step = (size_t)(0.6180339887498949 * (double)count);
-    for (;; step++) {
-        size_t a = count, b = step;
-        while (b != 0) {
-            size_t rest = a % b;
-            a = b;
-            b = rest;
-        }
-        if (a == 1) {
-            return step;
-        }
-    }
-}
-
-RenderStats renderer_sample_camera_rays(Renderer *renderer, double seconds) {
-    const RenderSettings *settings = &renderer->settings;
-    size_t count = blocks_along(settings->width) * blocks_along(settings->height);
-    size_t pixels = (size_t)settings->width * (size_t)settings->height;
-    double start = clock_now_seconds();
-    RaySample sample = {.renderer = renderer,
-                        .count = count,
-                        .step = spreading_step(count),
-                        .deadline = start + seconds};
-    thread_pool_run(renderer->thread_pool, count, sample_block, &sample);
-    size_t rays_done = atomic_load(&sample.rays_done);
-    return (RenderStats){.seconds = clock_now_seconds() - start,
-                         .rays = {.camera = rays_done},
-                         .progress = (double)rays_done / (double)pixels,
-                         .is_finished = rays_done == pixels};
 }

@@ -82,8 +82,8 @@ static bool shapes_overlap(const GlassShape *a, const GlassShape *b) {
 }
 
 /**
- * @return Whether two shapes of a kind share their centre or axis, such as the walls of a hollow
- *         ball or of a tumbler. Light between them keeps to regular paths.
+ * @return Whether two shapes of a kind share their axis, or as balls their centre, such as the walls
+ *         of a hollow ball or of a tumbler. Light between them keeps to regular paths.
  */
 static bool is_coaxial(const GlassShape *a, const GlassShape *b) {
     Vec3d size_a = box_size(&a->bounds), size_b = box_size(&b->bounds);
@@ -91,7 +91,7 @@ static bool is_coaxial(const GlassShape *a, const GlassShape *b) {
     double scale = vec3d_max_abs(size_a);
     const bool same[3] = {is_same(twice.x, 0, scale), is_same(twice.y, 0, scale),
                           is_same(twice.z, 0, scale)};
-    bool is_centered = same[0] && same[1] && same[2];
+    bool is_centered = is_cubic(a) && is_cubic(b) && same[0] && same[1] && same[2];
     // A cylinder along an axis: as wide in two directions, and centred in both.
     const bool round_a[3] = {is_same(size_a.y, size_a.z, scale), is_same(size_a.x, size_a.z, scale),
                              is_same(size_a.x, size_a.y, scale)};

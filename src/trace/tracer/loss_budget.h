@@ -33,16 +33,25 @@ void loss_budget_deinit(LossBudget *budget);
 /** Finds the brightest light from where the lights are. @param light_count Those that shine. */
 void loss_budget_set_view(LossBudget *budget, const Scene *scene, size_t light_count);
 
-/** @return The light that rays of given colours may lack, at least. */
-INLINE real loss_budget_radiance(const LossBudget *budget, Rgb color) {
+/** @return The light that a channel of rays may lack, at least. @param color The light it has. */
+INLINE real loss_budget_channel(const LossBudget *budget, real color) {
     // 1 / slope of the sRGB curve: 1 / 12.92 in the dark, then c^(7/12) 2.4 / 1.055, of which
     // c^(5/8), by square roots, is a lower bound.
     const scalar in_the_dark = (scalar)(1 / 12.92), factor = (scalar)(2.4 / 1.055);
-    real darkest = real_min(color.red, real_min(color.green, color.blue));
-    real root = real_sqrt(real_min(real_max(darkest, real_of(0)), real_of(1)));
+    real root = real_sqrt(real_min(real_max(color, real_of(0)), real_of(1)));
     real eighth_root = real_sqrt(real_sqrt(root));
     real inverse_slope = real_max(factor * root * eighth_root, real_of(in_the_dark));
     return budget->fraction * (budget->is_linear ? real_of(1) : inverse_slope);
+}
+
+/** @return The rays that may lack more light in any channel than they may.
+ *  @param lost  Sum of the throughputs that were ended.
+ *  @param color  The light they have. */
+INLINE mask loss_budget_exceeded(const LossBudget *budget, Rgb lost, Rgb color) {
+    const scalar bound = budget->radiance_bound;
+    return (lost.red * bound > loss_budget_channel(budget, color.red)) |
+           (lost.green * bound > loss_budget_channel(budget, color.green)) |
+           (lost.blue * bound > loss_budget_channel(budget, color.blue));
 }
 
 #endif

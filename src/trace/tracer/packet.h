@@ -66,8 +66,7 @@ struct Packet {
 /** A packet on its path from the camera through the scene. */
 typedef struct RayState {
     Packet packet;                       /**< The rays; their directions are unit vectors. */
-    real throughput[PACKET_VECTORS];     /**< The factor of a ray's colour in its pixel; the largest
-                                              of the three channels. */
+    Rgb throughput[PACKET_VECTORS];      /**< The factor of a ray's colour in its pixel. */
     integer turns[PACKET_VECTORS];       /**< Number of reflections and refractions so far; surfaces
                                               that a later shape overrides are none. */
     const struct InteriorList *interior; /**< The transparent shapes that each vector of rays is
@@ -76,11 +75,10 @@ typedef struct RayState {
 
 /** What a packet lacks of its light because rays below were ended, and what it cost. */
 typedef struct Losses {
-    real
-        dropped[PACKET_VECTORS]; /**< Sum of the throughputs of rays that ended for their weight. */
-    real guarded[PACKET_VECTORS]; /**< Sum of the throughputs of rays that the guard of the
-                                       recursion ended. */
-    real rays[PACKET_VECTORS];    /**< Number of secondary rays. */
+    Rgb dropped[PACKET_VECTORS]; /**< Sum of the throughputs of rays that ended for their weight. */
+    Rgb guarded[PACKET_VECTORS]; /**< Sum of the throughputs of rays that the guard of the
+                                      recursion ended. */
+    real rays[PACKET_VECTORS];   /**< Number of secondary rays. */
 } Losses;
 
 /** The bounding boxes of LANES shapes, for one test of all of them. */
@@ -102,10 +100,24 @@ typedef struct PacketIntervals {
     scalar limit;         /**< The largest limit. */
 } PacketIntervals;
 
+/** Replaces the colours and losses of some rays. @param lanes Those. */
+INLINE void results_replace(const mask *lanes, const Rgb *new_colors, const Losses *new_losses,
+                            Rgb *colors, Losses *losses) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask m = lanes[v];
+        colors[v] = rgb_select(m, new_colors[v], colors[v]);
+        losses->dropped[v] = rgb_select(m, new_losses->dropped[v], losses->dropped[v]);
+        losses->guarded[v] = rgb_select(m, new_losses->guarded[v], losses->guarded[v]);
+        losses->rays[v] = real_select(m, new_losses->rays[v], losses->rays[v]);
+    }
+}
+
 /** Sets all losses to 0. */
 INLINE void losses_clear(Losses *losses) {
+    const Rgb nothing = {real_of(0), real_of(0), real_of(0)};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        losses->dropped[v] = losses->guarded[v] = losses->rays[v] = real_of(0);
+        losses->dropped[v] = losses->guarded[v] = nothing;
+        losses->rays[v] = real_of(0);
     }
 }
 

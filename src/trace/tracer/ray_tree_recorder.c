@@ -92,7 +92,7 @@ void ray_tree_push(RayTree *ray_tree, RayType type, const RayState *rays, Rgb we
     RayTreeNode *ray = ray_tree_add(ray_tree, type, &packet->rays[0], packet->limit[0]);
     if (ray) {
         ray->weight = rgb_first_lane(weight);
-        ray->throughput = real_first_lane(rays->throughput[0]);
+        ray->throughput = real_first_lane(rgb_max(rays->throughput[0]));
         ray_tree->current = (int)(ray - ray_tree->nodes);
     }
 }

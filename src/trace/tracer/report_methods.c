@@ -147,12 +147,12 @@ static void put_into_list(RayTally *tally, const SurfaceHit *surface, SecondaryR
             *transmitted &= count < end;
             count = tally->count[v];
             refracted->weights[v] = one;
-            refracted->rays.throughput[v] = real_of(1);
+            refracted->rays.throughput[v] = one;
         }
         tally->count[v] = real_select(*mirrored | is_glass, count + 1, count);
         *mirrored &= count < end;
         reflected->weights[v] = one;
-        reflected->rays.throughput[v] = real_of(1);
+        reflected->rays.throughput[v] = one;
     }
 }
 

@@ -61,9 +61,9 @@ static void trace_pass(const Tracer *tracer, scalar cutoff, const RayState *rays
 
 /* --- losses ----------------------------------------------------------------------------------- */
 
-/** @return The light that rays may lack. @param v Which vector of rays. */
-INLINE real missing_radiance(const Tracer *tracer, const Losses *losses, int v) {
-    return (losses->dropped[v] + losses->guarded[v]) * tracer->loss_budget.radiance_bound;
+/** @return The sum of the throughputs that were ended. @param v Which vector of rays. */
+INLINE Rgb lost_throughput(const Losses *losses, int v) {
+    return rgb_add(losses->dropped[v], losses->guarded[v]);
 }
 
 /** Finds the rays that may lack more light than the budget. @param[out] open Those.
@@ -72,8 +72,8 @@ static bool find_open_rays(const Tracer *tracer, const RayState *rays, const Rgb
                            const Losses *losses, mask *open) {
     bool is_any_open = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        real budget = loss_budget_radiance(&tracer->loss_budget, colors[v]);
-        open[v] = rays->packet.active[v] & (missing_radiance(tracer, losses, v) > budget);
+        open[v] = rays->packet.active[v] &
+                  loss_budget_exceeded(&tracer->loss_budget, lost_throughput(losses, v), colors[v]);
         is_any_open = is_any_open || any(open[v]);
     }
     return is_any_open;
@@ -83,7 +83,7 @@ static bool find_open_rays(const Tracer *tracer, const RayState *rays, const Rgb
 static bool losses_are_any(const RayState *rays, const Losses *losses) {
     mask lost = mask_of(false);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        lost |= rays->packet.active[v] & ((losses->dropped[v] > 0) | (losses->guarded[v] > 0));
+        lost |= rays->packet.active[v] & (rgb_max(lost_throughput(losses, v)) > 0);
     }
     return any(lost);
 }
@@ -97,43 +97,36 @@ static bool losses_are_any(const RayState *rays, const Losses *losses) {
  */
 static bool find_curable_rays(const Tracer *tracer, scalar next_cutoff, const Rgb *colors,
                               const Losses *losses, mask *open) {
-    const scalar bound = tracer->loss_budget.radiance_bound;
     bool is_any_left = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        real budget = loss_budget_radiance(&tracer->loss_budget, colors[v]);
-        open[v] &= losses->guarded[v] * bound <= budget;
-        real further = losses->dropped[v] * (SURFACES_PER_PATH / next_cutoff);
+        open[v] &=
+            mask_not(loss_budget_exceeded(&tracer->loss_budget, losses->guarded[v], colors[v]));
+        real further = rgb_max(losses->dropped[v]) * (SURFACES_PER_PATH / next_cutoff);
         open[v] &= losses->rays[v] + further <= real_of(RAYS_PER_SAMPLE_MAXIMUM);
         is_any_left = is_any_left || any(open[v]);
     }
     return is_any_left;
 }
 
-/** Replaces the results of rays. */
-static void results_replace(const mask *lanes, const Rgb *new_colors, const Losses *new_losses,
-                            Rgb *colors, Losses *losses) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask m = lanes[v];
-        colors[v] = rgb_select(m, new_colors[v], colors[v]);
-        losses->dropped[v] = real_select(m, new_losses->dropped[v], losses->dropped[v]);
-        losses->guarded[v] = real_select(m, new_losses->guarded[v], losses->guarded[v]);
-        losses->rays[v] = real_select(m, new_losses->rays[v], losses->rays[v]);
-    }
+/** @return The largest error of a channel of a ray, 8-bit steps. @param lost Throughput ended. */
+static double missing_steps(const Tracer *tracer, real lost, real color, int lane) {
+    const LossBudget *budget = &tracer->loss_budget;
+    const Encoding encoding = budget->is_linear ? ENCODING_LINEAR : ENCODING_SRGB;
+    double has = (double)real_lane(color, lane);
+    double full = has + (double)real_lane(lost, lane) * (double)budget->radiance_bound;
+    return encoding_encode(encoding, fmin(full, 1)) - encoding_encode(encoding, fmin(has, 1));
 }
 
 /** Counts the rays that lack too much light, and their largest possible error. */
 static void count_unresolved(const Tracer *tracer, const mask *open, const Rgb *colors,
                              const Losses *losses, RayCounts *counts) {
-    const Encoding encoding = tracer->loss_budget.is_linear ? ENCODING_LINEAR : ENCODING_SRGB;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        real missing = missing_radiance(tracer, losses, v);
-        real darkest = real_min(colors[v].red, real_min(colors[v].green, colors[v].blue));
+        Rgb lost = lost_throughput(losses, v);
         for (unsigned remaining = mask_bits(open[v]); remaining; remaining &= remaining - 1) {
             int lane = __builtin_ctz(remaining);
-            double color = (double)real_lane(darkest, lane);
-            double full = color + (double)real_lane(missing, lane);
-            double steps = encoding_encode(encoding, full < 1 ? full : 1) -
-                           encoding_encode(encoding, color < 1 ? color : 1);
+            double steps = fmax(missing_steps(tracer, lost.red, colors[v].red, lane),
+                                fmax(missing_steps(tracer, lost.green, colors[v].green, lane),
+                                     missing_steps(tracer, lost.blue, colors[v].blue, lane)));
             counts->unresolved++;
             counts->unresolved_steps =
                 steps > counts->unresolved_steps ? steps : counts->unresolved_steps;
@@ -141,13 +134,20 @@ static void count_unresolved(const Tracer *tracer, const mask *open, const Rgb *
     }
 }
 
-/** Adds an estimate of the light that rays lack: that of what was not ended, in proportion to the
- *  throughput, and at most as much again. */
+/** @return A channel with an estimate of the light that it lacks: that of what was not ended, in
+ *          proportion to the throughput, and at most as much again. */
+INLINE real with_missing_light(real color, real lost) {
+    return color / (1 - real_min(lost, real_of((scalar)0.5f)));
+}
+
+/** Adds an estimate of the light that rays lack. @param open Those rays. */
 static void add_missing_light(const mask *open, const Losses *losses, Rgb *colors) {
-    const real most = real_of((scalar)0.5f);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        real lost = real_min(losses->dropped[v] + losses->guarded[v], most);
-        colors[v] = rgb_select(open[v], rgb_scale(colors[v], 1 / (1 - lost)), colors[v]);
+        Rgb lost = lost_throughput(losses, v);
+        Rgb full = {with_missing_light(colors[v].red, lost.red),
+                    with_missing_light(colors[v].green, lost.green),
+                    with_missing_light(colors[v].blue, lost.blue)};
+        colors[v] = rgb_select(open[v], full, colors[v]);
     }
 }
 
@@ -294,8 +294,10 @@ static bool camera_group_find_curable(const CameraGroup *group, scalar next_cuto
     bool is_any_left = false;
     for (int p = 0; p < group->count; p++) {
         CameraPacket *packet = &group->packets[p];
-        mask open[PACKET_VECTORS];
-        find_open_rays(group->tracer, packet->rays, packet->colors, &packet->losses, open);
+        mask open[PACKET_VECTORS] = {0};
+        if (losses_are_any(packet->rays, &packet->losses)) {
+            find_open_rays(group->tracer, packet->rays, packet->colors, &packet->losses, open);
+        }
         for (int v = 0; v < PACKET_VECTORS; v++) {
             packet->lanes[v] &= open[v];
         }

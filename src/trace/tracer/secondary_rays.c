@@ -18,6 +18,12 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
     secondary->rays.packet.context.type = type;
 }
 
+/** Adds a loss. @param lanes The lanes that lose it. */
+INLINE void losses_add_lanes(mask lanes, Rgb lost, Rgb *sum) {
+    const Rgb nothing = {real_of(0), real_of(0), real_of(0)};
+    *sum = rgb_add(*sum, rgb_select(lanes, lost, nothing));
+}
+
 /**
  * Sets the weights of a vector of rays, and ends those that weigh too little or are too deep.
  * @param weight  Their weights at the surface.
@@ -26,15 +32,15 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
  * @return Whether any ray is left.
  */
 INLINE bool secondary_rays_set_weight(const TraceContext *context, int v, mask lanes, Rgb weight,
-                                      real throughput, SecondaryRays *secondary, Losses *losses) {
+                                      Rgb throughput, SecondaryRays *secondary, Losses *losses) {
     RayState *rays = &secondary->rays;
     bool is_too_deep = rays->packet.context.bounce > (uint32_t)DEPTH_MAXIMUM;
     secondary->weights[v] = weight;
-    rays->throughput[v] = throughput * rgb_max(weight);
-    mask is_heavy = rays->throughput[v] >= (is_too_deep ? INFINITE : context->cutoff);
-    real *lost = is_too_deep ? losses->guarded : losses->dropped;
+    rays->throughput[v] = rgb_multiply(throughput, weight);
+    mask is_heavy = rgb_max(rays->throughput[v]) >= (is_too_deep ? INFINITE : context->cutoff);
+    Rgb *lost = is_too_deep ? losses->guarded : losses->dropped;
     rays->packet.active[v] = lanes & is_heavy;
-    lost[v] += real_select(lanes & mask_not(is_heavy), rays->throughput[v], real_of(0));
+    losses_add_lanes(lanes & mask_not(is_heavy), rays->throughput[v], &lost[v]);
     return any(rays->packet.active[v]);
 }
 
@@ -87,10 +93,9 @@ void refract_rays(const TraceContext *context, const RayState *rays, const Surfa
 void losses_add(const Packet *packet, const Losses *incoming, Losses *losses) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask lanes = packet->active[v];
-        real zero = real_of(0);
-        losses->dropped[v] += real_select(lanes, incoming->dropped[v], zero);
-        losses->guarded[v] += real_select(lanes, incoming->guarded[v], zero);
-        losses->rays[v] += real_select(lanes, incoming->rays[v] + 1, zero);
+        losses_add_lanes(lanes, incoming->dropped[v], &losses->dropped[v]);
+        losses_add_lanes(lanes, incoming->guarded[v], &losses->guarded[v]);
+        losses->rays[v] += real_select(lanes, incoming->rays[v] + 1, real_of(0));
     }
 }
 

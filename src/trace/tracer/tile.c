@@ -67,12 +67,13 @@ static void pixel_ids_set(const PixelGrid *grid, int index, uint32_t *pixel_ids)
 void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter, int index,
                       const Recorders *recorders, CameraRays *rays) {
     const Dielectrics *dielectrics = &tracer->dielectrics;
+    const Rgb one = {real_of(1), real_of(1), real_of(1)};
     RayState *state = &rays->state;
     camera_generate_rays(&tracer->camera, grid, jitter, index, &state->packet);
     state->packet.context =
         (SampleContext){.recorders = recorders, .sample = (uint32_t)grid->sample};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        state->throughput[v] = real_of(1);
+        state->throughput[v] = one;
         state->turns[v] = integer_of(0);
     }
     state->interior = NULL;

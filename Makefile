@@ -98,7 +98,7 @@ WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
 WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(if $(COVERAGE),$(OBJ)/tests/coverage/worker_counters.o)
 # A worker never returns from main: it writes its counters before it replies (tests/coverage).
-COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_sandbox_filter worker_sandbox_limit)
+COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_filter_install worker_sandbox_limit)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
@@ -148,6 +148,8 @@ $(OBJ)/%.o: %.c $(FLAGS) | libraries
 $(GUI_OBJECTS): $(OBJ)/%.o: %.cpp $(FLAGS) | libraries
 	@mkdir -p $(@D)
 	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(filter-out -fvisibility=hidden,$(CXXFLAGS)) $(patsubst -I%,-isystem %,$(call PKG_CFLAGS,sdl2 imgui)) -MMD -MP -c -o $@ $<
+# gcc 12 for ARM64 breaks down when it makes vectors of the loops of this room.
+$(OBJ)/src/render/z_fighting/%.o: CFLAGS += $(if $(filter aarch64,$(MACHINE)),-fno-tree-vectorize)
 $(OBJ)/src/render/engines.o: CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 
 
@@ -180,9 +182,9 @@ RUN_PACKAGES  := g++ pkg-config gettext libsdl2-dev liblua5.4-dev libcairo2-dev 
 TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-xkb-utils xkb-data \
                  imagemagick openbox qemu-user doxygen graphviz ffmpeg parallel slurm-wlm munge gnuplot-nox \
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
-                 valgrind binutils
+                 valgrind binutils libembree-dev libgl-dev
 COVERAGE_PACKAGES := gcovr
-BENCH_PACKAGES := gnuplot-nox
+BENCH_PACKAGES := gnuplot-nox valgrind binutils
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
 WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
@@ -211,12 +213,12 @@ run: packages
 .PHONY: web test-web
 web:
 	@.ci/packages $(WEB_PACKAGES)
+	@command -v npm >/dev/null || .ci/packages npm
 	@.ci/sources build/web-work/sources $(WEB_LIBRARY_SOURCES)
 	@$(MAKE) --no-print-directory -j$$(nproc) -f src/web/Makefile page
-# In a real browser, against the pictures of the desktop's program.
+# In real browsers, against the pictures of the desktop's program.
 test-web: web packages
-	@.ci/packages chromium
-	@command -v npm >/dev/null || .ci/packages npm
+	@.ci/packages chromium firefox-esr
 	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
 
@@ -262,16 +264,19 @@ coverage: test-packages
 	@$(MAKE) --no-print-directory -j2 $(COVERAGE_BUILD) all tests
 	@tests/coverage.sh
 
+# What `make bench` and `make peers` run.
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(BUILD)/bench-needs
+PEER_PROGRAMS  := $(addprefix $(BUILD)/peer-,embree accuracy fragment)
 .PHONY: test tests
 test: test-packages
-	@$(MAKE) --no-print-directory -j2 all tests
+	@$(MAKE) --no-print-directory -j2 all tests $(BENCH_PROGRAMS) $(PEER_PROGRAMS)
 	@$(MAKE) --no-print-directory -j2 $(ASAN_BUILD) all tests
 	@$(MAKE) --no-print-directory -j2 clang
 	@$(MAKE) --no-print-directory -j2 $(FUZZ_BUILD) fuzzers
 	@$(MAKE) --no-print-directory tsan
 	@tests/run.sh
 
-tests: $(TESTS) $(BUILD)/tests/faults.so
+tests: $(TESTS) $(BUILD)/tests/faults.so $(CATALOGUES)
 
 # Makes calls to the system fail; never linked, but preloaded.
 $(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)
@@ -283,6 +288,45 @@ $(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)
 faults: test-packages
 	@$(MAKE) --no-print-directory all $(BUILD)/tests/faults.so
 	@FAULTS=0 tests/faults.sh
+
+# --- ARM64 ---------------------------------------------------------------------------------------
+# Compiled for another processor, and run in an emulator: all but the window and the modules, whose
+# libraries are here for this processor only. Their headers serve; what is not linked is not called.
+CROSS_PACKAGES := gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev
+CROSS_SOURCES  := build/cross-sources
+CROSS_BUILD    := BUILD=build/cross MACHINE=aarch64 LD=aarch64-linux-gnu-ld OBJCOPY=aarch64-linux-gnu-objcopy \
+    CC='aarch64-linux-gnu-gcc -idirafter /usr/include -idirafter /usr/include/$(MACHINE)-linux-gnu' ENGINES='f32x4 f64x1 f128x1'
+# Unit tests that neither start a worker nor need a module or SDL.
+CROSS_TESTS    := obj_reader quad text triangulate worker_filter
+# Lua, and what the unit tests are written with.
+CROSS_LUA      := $(filter-out %/lua.c %/luac.c,$(wildcard $(CROSS_SOURCES)/lua5.4/src/*.c))
+CROSS_CMOCKA   := $(CROSS_SOURCES)/cmocka/src/cmocka.c
+CMOCKA_FLAGS   := -I$(CROSS_SOURCES)/cmocka/include $(addprefix -DHAVE_,GCC_THREAD_LOCAL_STORAGE SIGNAL_H STRINGS_H \
+    STRUCT_TIMESPEC CLOCK_GETTIME STDINT_H INTTYPES_H UNISTD_H SYS_TYPES_H STDLIB_H MALLOC_H SNPRINTF VSNPRINTF STRSIGNAL \
+    SYS_STAT_H STDIO_H STRING_H MEMORY_H TIME_H ASSERT_H)
+CROSS_LINK     = $(call SAY,cc,$@)$(CC) $(CFLAGS) -static -Wl,--no-warnings,--unresolved-symbols=ignore-all
+CROSS_ROOMS    := $(filter-out $(GUI_OBJECTS),$(ROOM_OBJECTS)) $(CROSS_LUA:%.c=$(OBJ)/%.o)
+CROSS_PROGRAMS := $(BUILD)/dioptre-emulated $(BUILD)/dioptre-worker-emulated $(CROSS_TESTS:%=$(BUILD)/emulated/test_%)
+$(OBJ)/$(CROSS_SOURCES)/%.o: $(CROSS_SOURCES)/%.c $(FLAGS)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) -O2 -D_GNU_SOURCE -DLUA_COMPAT_5_3 -DLUA_USE_POSIX $(CMOCKA_FLAGS) -c -o $@ $<
+$(BUILD)/dioptre-emulated: $(CLI_OBJECTS) $(CROSS_ROOMS)
+	$(CROSS_LINK) -o $@ $^ -lm
+$(BUILD)/dioptre-worker-emulated: $(WORKER_OBJECTS) $(CROSS_LUA:%.c=$(OBJ)/%.o)
+	$(CROSS_LINK) -o $@ $^ -lm
+$(BUILD)/emulated/%: $(OBJ)/tests/%.o $(CROSS_ROOMS) $(CROSS_CMOCKA:%.c=$(OBJ)/%.o)
+	@mkdir -p $(@D)
+	$(CROSS_LINK) -o $@ $^ -lm
+$(CROSS_TESTS:%=$(OBJ)/tests/test_%.o): CPPFLAGS += -Itests -I$(CROSS_SOURCES)/cmocka/include
+.SECONDARY: $(CROSS_CMOCKA:%.c=$(OBJ)/%.o) $(CROSS_TESTS:%=$(OBJ)/tests/test_%.o)
+.PHONY: cross cross-programs
+cross-programs: $(CROSS_PROGRAMS)
+cross: packages
+	@.ci/packages $(CROSS_PACKAGES)
+	@.ci/sources $(CROSS_SOURCES) lua5.4 cmocka
+	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory $(CROSS_BUILD) cross-programs
+	@tests/cross.sh
 
 # --- fuzzing -------------------------------------------------------------------------------------
 # Each file of tests/fuzz is a target.
@@ -324,17 +368,22 @@ soak: test-packages asan
 	BUILD=build/asan SOAK_SECONDS=$(or $(SOAK_SECONDS),1800) tests/soak.sh
 
 # --- measuring -----------------------------------------------------------------------------------
+# Compiler and flags, for the files.
+MADE_WITH = $(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)
 .PHONY: bench peers
 bench: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(addprefix $(BUILD)/tests/bench/,tree marching march-steps)
-	@tests/bench.sh
-	@BUILD=$(BUILD) MADE_WITH='$(shell $(CC) --version | head -1); $(OPTIMIZE) $(ARITHMETIC)' tests/bench/run.sh
+	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench.sh
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/profile.sh
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/run.sh
+	@doc/figures.sh
 peers: packages
 	@.ci/packages $(PEER_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/peer-embree $(BUILD)/peer-accuracy $(BUILD)/peer-fragment
+	@$(MAKE) --no-print-directory all $(PEER_PROGRAMS)
 	@status=0; for script in run embree accuracy fragment; do \
-	    BUILD=$(BUILD) tests/peers/$$script.sh || status=1; done; exit $$status
+	    BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/peers/$$script.sh || status=1; done; \
+	    doc/figures.sh && exit $$status
 
 # Beside the modules, so that it finds them.
 $(BUILD)/peer-embree: tests/peers/embree.c $(ROOMS)
@@ -353,7 +402,7 @@ CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figu
 .PHONY: charts
 charts: packages
 	@.ci/packages $(BENCH_PACKAGES)
-	@$(MAKE) --no-print-directory all $(BUILD)/bench-needs
+	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
 	@mkdir -p $(BUILD)/lab
 	$(PROGRAM) lab --out doc/lab >$(BUILD)/lab/tables.txt
 	$(PROGRAM) chart --kernels --out doc/lab >$(BUILD)/lab/kernels.txt

@@ -1,12 +1,16 @@
 #!/bin/sh
 # `make bench`: speed of every engine on the box, one thread and two, as ratios within one run: the
-# variants take turns, and medians are compared.
+# variants take turns, and medians are compared. How far each engine's picture is from that in quad.
+# doc/figures/engines.csv keeps it.
 set -eu
+export LC_ALL=C # Decimal points, not commas.
 cd "$(dirname "$0")/.."
+. tests/peers/figures.sh
 program=${BUILD:-build}/dioptre
 rounds=5
-out=$(mktemp)
-trap 'rm -f "$out"' EXIT
+work=$(mktemp -d)
+out=$work/out
+trap 'rm -rf "$work"' EXIT
 
 measure() { # ENGINE THREADS FRAMES
     "$program" bench scenes/box.lua --json -s 800x600 --samples 1 --depth 5 --engine "$1" -j "$2" \
@@ -25,8 +29,22 @@ while [ $round -lt $rounds ]; do
 done
 measure f128x1 1 1
 
+# differences ENGINE: pixels that are off by one step of 8 bits, and by more, from the picture in quad.
+differences() {
+    "$program" render scenes/box.lua -q -s 800x600 --samples 1 --depth 5 --engine "$1" -o "$work/$1.bmp"
+    for threshold in 0 1; do
+        "$program" compare --json --threshold $threshold "$work/f128x1.bmp" "$work/$1.bmp" |
+            sed 's/.*"share_off": *\([-+.0-9e]*\).*/\1/'
+    done | awk '{ off[NR] = sprintf("%.0f", $1 * 480000) } END { print off[1] - off[2] "," off[2] }'
+}
+begin_figures engines 'engine,threads,ms,mrays_per_s,times_f32x1,rays,off_by_one,off_by_more'
+for engine in f128x1 $(cut -d' ' -f1 "$out" | sort -u | grep -v f128x1); do
+    echo "$engine $(differences "$engine")" >>"$work/differences"
+done
+
 grep -m1 'model name' /proc/cpuinfo || true
 awk '
+    NR == FNR { off[$1] = $2; next }
     { key = $1 " " $2; match($0, /"ms_median": [0-9.e+]+/); ms = substr($0, RSTART + 13, RLENGTH - 13) + 0
       match($0, /"rays": [0-9]+/); rays[key] = substr($0, RSTART + 8, RLENGTH - 8) + 0
       n[key]++; all[key, n[key]] = ms; if (!(key in seen)) { seen[key] = 1; order[++keys] = key } }
@@ -37,5 +55,7 @@ awk '
     END { base = median("f32x1 1")
         printf "%-8s %7s %10s %10s %12s\n", "engine", "threads", "ms", "Mrays/s", "x f32x1"
         for (i = 1; i <= keys; i++) { split(order[i], part, " "); m = median(order[i])
-            printf "%-8s %7d %10.2f %10.1f %12.2f\n", part[1], part[2], m, rays[order[i]] / m / 1e3, base / m }
-        printf "two threads of f32x8: %.2f times one\n", median("f32x8 1") / median("f32x8 2") }' "$out"
+            printf "%-8s %7d %10.2f %10.1f %12.2f\n", part[1], part[2], m, rays[order[i]] / m / 1e3, base / m
+            printf "%s,%d,%.3g,%.3g,%.3g,%d,%s\n", part[1], part[2], m, rays[order[i]] / m / 1e3, base / m, rays[order[i]], off[part[1]] >kept }
+        printf "two threads of f32x8: %.2f times one\n", median("f32x8 1") / median("f32x8 2") }' kept="$work/kept" "$work/differences" "$out"
+while read -r row; do keep_figures engines "$row"; done <"$work/kept"

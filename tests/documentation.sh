@@ -130,6 +130,13 @@ agree "$work/manual" "$work/options" 'the manual page has the options, and who t
 doc/reports.sh "$work/reports.md" 2>"$work/err" || fail "doc/reports.sh: $(cat "$work/err")"
 same doc/reports.md "$work/reports.md" 'doc/reports.md is what doc/reports.sh makes of the tables'
 
+# --- figures of the READMEs: those of the tables -----------------------------------------------------
+doc/figures.sh "$work" 2>"$work/err" || fail "doc/figures.sh: $(cat "$work/err")"
+for document in README.md README.fr.md; do
+    same $document "$work/$document" "$document has the figures of doc/figures"
+    [ "$(grep -c '^<!-- figures: ' $document)" = 5 ] && ok "$document: all five tables" || fail "$document lacks tables"
+done
+
 # --- references and the tour ---------------------------------------------------------------------
 sed -nE 's/^\| [A-Z][A-Za-z]+ [0-9-]+ \| ([^:]*):.*\| (`src.*) \|$/\1|\2/p' doc/references.md >"$work/papers"
 [ "$(wc -l <"$work/papers")" -ge 9 ] && ok 'doc/references.md has its papers' || fail 'papers are not found in doc/references.md'

@@ -57,4 +57,15 @@ for deed in ones answer-ones memory; do
         [ "$(grep -c 'does not filter system calls' "$work/err")" = 1 ] && ok 'the program says once that there is no filter' || fail "no filter: $(cat "$work/err")"
     done
 done
+# Nor does a worker start a program there, as the limit of processes is 0; root's is not counted.
+chmod -R a+rX "$work"
+mkdir -m 777 "$work/public"
+[ "$(id -u)" = 0 ] && nobody='setpriv --reuid=65534 --regid=65534 --clear-groups' || nobody=
+for scene in mesh sky; do
+    # shellcheck disable=SC2086 # several words
+    expect 3 'refused: Resource temporarily unavailable' "a shell in a worker without a filter ($scene)" \
+        env HOSTILE=shell OWNED="$work/public/owned" "$BUILD/tests/test_worker_process" --without-filter $nobody \
+        timeout 60 "$dioptre" render "$work/$scene.lua" -o "$work/public/o.bmp" -s 8x8
+    [ -e "$work/public/owned" ] && fail "a shell in a worker without a filter ($scene) wrote a file"
+done
 finish

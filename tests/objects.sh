@@ -70,4 +70,38 @@ recorded=$(ls "$work"/shots/*.bmp | head -1)
 same "$(ls "$work"/replayed/*.bmp | head -1)" "$recorded" 'the lesson replays it, to the bit'
 "$dioptre" render "$work/wanted.lua" --samples 1 -o "$work/wanted.bmp"
 same "$recorded" "$work/wanted.bmp" 'and the picture is that of the written file'
+
+# --- keys alone, and moves of lights and camera --------------------------------------------------
+cp "$work/first.lua" "$work/ball.lua"
+open "$work/ball.lua" --samples 1
+settled
+shoot && at_first=${view%%--*}
+hold 0.3 d && shoot && light_moved=${view%%--*}
+hold 0.3 Up && shoot && camera_moved=${view%%--*}
+[ "$at_first" != "$light_moved" ] && [ "$light_moved" != "$camera_moved" ] || fail 'nothing has moved'
+xdotool key ctrl+z && shoot
+[ "${view%%--*}" = "$light_moved" ] && ok 'undo takes a move of the camera back' || fail "$view, not $light_moved"
+xdotool key ctrl+z && shoot
+[ "${view%%--*}" = "$at_first" ] && ok 'and one of a light' || fail "$view, not $at_first"
+xdotool key ctrl+y && shoot
+[ "${view%%--*}" = "$light_moved" ] && ok 'redo moves it again' || fail "$view, not $light_moved"
+xdotool key ctrl+z
+# The first thing is the ball; below four rows of buttons is its centre, and then its radius.
+xdotool key F3 && settled
+xdotool key F10 && settled
+for _ in 1 2 3 4; do xdotool key Down && sleep 0.2; done
+xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2 && xdotool type 0.5 && sleep 0.3 && xdotool key Return
+settled
+xdotool key Escape && settled
+xdotool key ctrl+c && sleep 0.5
+grep -q '^sphere { radius = 0.5, ' "$work/log" && ok 'F3 and F10: a number is typed by keys alone' || fail "$(tail -1 "$work/log")"
+xdotool key ctrl+shift+s
+has_copy() { [ -s "$work/shots/ball-copy-0001.lua" ]; }
+within has_copy
+sed 's/radius = 1,/radius = 0.5,/' "$work/first.lua" >"$work/wanted-copy.lua"
+same "$work/shots/ball-copy-0001.lua" "$work/wanted-copy.lua" 'Ctrl Shift S saves a copy with the changes'
+same "$work/ball.lua" "$work/first.lua" 'and leaves the file alone'
+xdotool key shift+F3 && settled && xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -q '^light' && ok 'Shift F3: the thing before, which is the last, a light' || fail "$(tail -1 "$work/log")"
+leave
 finish

@@ -34,7 +34,7 @@ rm -rf "$logs" && mkdir -p "$logs"
         if [ $build = build/asan ]; then
             for script in film readme farm lesson models pictures documentation bad-input outputs hostile-modules limits \
                 nff spd language lab gappa chart engines probe command-line desktop terminal trouble faults threads memcheck \
-                hardening style; do
+                hardening judges style; do
                 echo "tests/$script.sh"
             done
             echo BUILD=build/asan tests/soak.sh

@@ -6,6 +6,7 @@
 #include "pictures.h"
 
 #include <glob.h>
+#include <math.h>
 #include <pthread.h>
 
 /** 1, 2, 3 and 8 threads render the same picture. */
@@ -57,6 +58,54 @@ static void test_lanes(void **state) {
         scene_destroy(scene);
     }
     globfree(&scenes);
+}
+
+/** Puts a sphere where the corner of four tiles is seen, give or take two pixels. @param random The
+ *  random state. */
+static void add_sphere_at_tile_corner(Scene *scene, uint64_t *random) {
+    const SceneCamera *camera = &scene->camera;
+    double pixel = 2 * tan(camera->fov / 2 * (M_PI / 180)) / WIDTH;
+    double column = 64 * floor(4 * random_unit_double(random)), row = 16;
+    row *= floor(10 * random_unit_double(random));
+    double x = pixel * (column - WIDTH / 2.0 + random_float(random, -2, 2));
+    double y = pixel * (HEIGHT / 2.0 - row + random_float(random, -2, 2));
+    double distance = exp(random_float(random, -2, 8));
+    Vec3d direction = vec3d_add(camera->direction, vec3d_scale(scene_camera_right(camera), x));
+    direction = vec3d_add(direction, vec3d_scale(camera->up, y));
+    SphereParameters sphere = {vec3d_add(camera->position, vec3d_scale(direction, distance)),
+                               distance * pixel * exp(random_float(random, -1, 3))};
+    add_shape(scene, "sphere", &sphere);
+}
+
+/** Tiles that show nothing but a plain sky are filled without a ray; engines of one lane trace all
+ *  of theirs. Small spheres at the edges of tiles, seen in all directions, are in both pictures. */
+static void test_background_tiles(void **state) {
+    (void)state;
+    /** Number of scenes. */
+    enum { SCENES = 60 };
+    static const char *const engines[] = {"f32x4", "f32x8", "f32x16", "f64x4"};
+    uint64_t random = 18;
+    for (int s = 0; s < SCENES; s++) {
+        Scene *scene = create_empty_scene();
+        scene->sky = (SceneSky){.horizon = {0.5, 0.6, 0.7}, .zenith = {0.5, 0.6, 0.7}};
+        scene->camera.position = (Vec3d){random_float(&random, -9, 9), 0, s};
+        scene_camera_rotate(&scene->camera, (Vec3d){0, 1, 0}, 15.0 * s, 11.0 * (s % 16 - 8));
+        for (int i = 0; i < 3; i++) {
+            add_sphere_at_tile_corner(scene, &random);
+        }
+        for (size_t e = 0; e < sizeof engines / sizeof *engines; e++) {
+            Error error;
+            if (engine_find(engines[e], &error)) {
+                RenderSettings settings = small_settings(scene, engines[e], 1);
+                settings.samples = 2;
+                Picture wide = draw_picture(scene, &settings);
+                settings.engine = engine_scalar(settings.engine);
+                assert_same_picture(&wide, draw_picture(scene, &settings));
+                picture_deinit(&wide);
+            }
+        }
+        scene_destroy(scene);
+    }
 }
 
 /** @return A point, scaled about the origin. */
@@ -459,6 +508,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_background_tiles),
         cmocka_unit_test(test_scale),
         cmocka_unit_test(test_background),
         cmocka_unit_test(test_first_pass_in_parts),

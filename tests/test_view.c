@@ -23,6 +23,7 @@
 #include "view/state/settings_chart.h"
 #include "view/state/snapshot.h"
 #include "view/state/source_edit.h"
+#include "view/state/view_history.h"
 
 #include <glob.h>
 #include <pthread.h>
@@ -184,7 +185,8 @@ static void test_keymap_others(void **state) {
                 {SDLK_r, "record"},
                 {SDLK_f, "scenes"},
                 {SDLK_RETURN, "caption"},
-                {SDLK_F3, NULL},
+                {SDLK_F3, "next thing"},
+                {SDLK_F13, NULL},
                 {SDLK_F5, "presentation"},
                 {0, NULL}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -408,9 +410,9 @@ static void test_latency(void **state) {
     assert_int_equal(latency_summary(&latency).count, 0);
     latency_on_presented(&latency, 1);
     for (int i = 1; i <= 300; i++) {
-        latency_on_key(&latency, 10 * i);
+        latency_on_input(&latency, 10 * i);
         latency_on_draw_started(&latency);
-        latency_on_key(&latency, 10 * i + 5); /* came too late for this drawing */
+        latency_on_input(&latency, 10 * i + 5); /* came too late for this drawing */
         latency_on_presented(&latency, 10 * i + (i <= 200 ? 0.25 : 0.5));
         latency_discard_pending(&latency);
     }
@@ -426,7 +428,7 @@ static void test_latency_many(void **state) {
     (void)state;
     Latency latency = {0};
     for (int i = 0; i < 2 * LATENCY_PENDING_MAXIMUM; i++) {
-        latency_on_key(&latency, i);
+        latency_on_input(&latency, i);
     }
     latency_on_draw_started(&latency);
     latency_on_presented(&latency, LATENCY_PENDING_MAXIMUM);
@@ -1031,6 +1033,104 @@ static void test_drop(void **state) {
     scene_destroy(scene);
 }
 
+/** The thread that lays two fingers on the window, spreads and moves them, then closes it. @return
+ *  NULL */
+static void *pinch(void *context) {
+    (void)context;
+    static const float places[][3] = {{0.5F, 0.5F, 0}, {0.6F, 0.5F, 0}, {0.6F, 0.5F, 0.1F}};
+    SDL_Delay(300); // The window does not exist yet, so its state cannot be queried.
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        SDL_Event event = {.mgesture = {.type = SDL_MULTIGESTURE,
+                                        .numFingers = 2,
+                                        .x = places[i][0],
+                                        .y = places[i][1],
+                                        .dDist = places[i][2]}};
+        SDL_PushEvent(&event);
+        // One of the fingers is a mouse, too: it must not turn the camera meanwhile.
+        SDL_Event mouse = {.motion = {.type = SDL_MOUSEMOTION,
+                                      .state = SDL_BUTTON_LMASK,
+                                      .x = 100 + 50 * (int)i,
+                                      .y = 100,
+                                      .xrel = 50}};
+        SDL_PushEvent(&mouse);
+    }
+    SDL_Event three = {.mgesture = {.type = SDL_MULTIGESTURE, .numFingers = 3, .dDist = 1}};
+    SDL_PushEvent(&three);
+    SDL_Event event = {.type = SDL_QUIT};
+    SDL_PushEvent(&event);
+    return NULL;
+}
+
+/** Two fingers pan by their middle and zoom by their distance; they do not turn the camera. */
+static void test_two_fingers(void **state) {
+    (void)state;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    Scene *scene = make_scene();
+    const SceneCamera before = scene->camera;
+    ViewSettings settings = {
+        .render = render_settings_default(scene), .path = "test.lua", .snapshot_dir = "/nowhere"};
+    pthread_t fingers;
+    assert_int_equal(pthread_create(&fingers, NULL, pinch, NULL), 0);
+    Error error = {0};
+    assert_int_equal(view_run(scene, &settings, NULL, &error), STATUS_OK);
+    pthread_join(fingers, NULL);
+    // A tenth of the picture's width at the target, against the fingers: it follows them.
+    double shift = vec3d_dot(vec3d_subtract(scene->camera.position, before.position),
+                             scene_camera_right(&before));
+    double width = 2 * before.target_distance * tan(before.fov / 2 * M_PI / 180);
+    assert_at_most(fabs(shift + width / 10), 0.01 * width, "moved by %g of %g", shift, width);
+    assert_true(vec3d_max_abs(vec3d_subtract(scene->camera.direction, before.direction)) == 0);
+    // Three notches of the wheel, each a tenth of the picture.
+    assert_at_most(fabs(tan(scene->camera.fov * M_PI / 360) / tan(M_PI / 6) - pow(0.9, 3)), 1e-6,
+                   "fov %g", scene->camera.fov);
+    scene_destroy(scene);
+}
+
+/** Moves and edits are undone in the order in which they were made. */
+static void test_view_history(void **state) {
+    (void)state;
+    Scene *scene = make_scene();
+    ViewState home;
+    ViewHistory history = {.count = 0};
+    const Movement right = {.right = 1}, none = {.right = 0};
+    assert_true(view_state_init(&home, scene, NULL));
+    assert_false(view_history_undo(&history, &home, scene, 0));
+    // Two moves of one key, then the camera at once, then one edit, then the light again.
+    const double times[] = {1, 1.2, 1.3, 20};
+    for (size_t i = 0; i < 4; i++) {
+        const ViewStep step = {.edits = i == 3, .subject = i == 2 ? VIEW_SUBJECT_ALL : 0};
+        view_history_note(&history, &home, scene, &step, times[i]);
+        view_state_move(&home, scene, 0, i == 2 ? none : right, i == 2 ? right : none, MOTION_FLY);
+    }
+    assert_int_equal(history.count, 3);
+    Vec3d light = scene->lights[0].position, camera = scene->camera.position;
+    assert_false(view_history_undo(&history, &home, scene, 0)); // The edit comes first.
+    assert_true(view_history_undo(&history, &home, scene, 1));
+    assert_false(view_history_undo(&history, &home, scene, 1)); // Now the edit is the last.
+    assert_true(view_history_undo(&history, &home, scene, 0));
+    assert_point(scene->camera.position, 0, 0, 0);
+    assert_true(home.is_light_moved[0] && !home.is_camera_moved);
+    assert_true(view_history_undo(&history, &home, scene, 0));
+    assert_point(scene->lights[0].position, home.lights[0].position.x, home.lights[0].position.y,
+                 home.lights[0].position.z);
+    assert_true(view_history_redo(&history, &home, scene, 0));
+    assert_true(view_history_redo(&history, &home, scene, 0));
+    assert_point(scene->camera.position, camera.x, camera.y, camera.z);
+    assert_false(view_history_redo(&history, &home, scene, 0)); // The edit comes first.
+    assert_true(view_history_redo(&history, &home, scene, 1));
+    assert_point(scene->lights[0].position, light.x, light.y, light.z);
+    // A new move forgets what was undone; the oldest moves go.
+    assert_true(view_history_undo(&history, &home, scene, 1));
+    for (int i = 0; i < 2 * VIEW_STEPS_MAXIMUM; i++) {
+        view_history_note(&history, &home, scene, &(ViewStep){.edits = 1}, 100 + i);
+    }
+    assert_int_equal(history.count, VIEW_STEPS_MAXIMUM);
+    assert_false(view_history_redo(&history, &home, scene, 1));
+    view_history_clear(&history);
+    view_state_deinit(&home);
+    scene_destroy(scene);
+}
+
 /* --- objects ---------------------------------------------------------------------------------- */
 
 /** @return An edit of a sphere. @param row A row with one number. */
@@ -1258,6 +1358,8 @@ int main(void) {
         cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),
         cmocka_unit_test(test_drop),
+        cmocka_unit_test(test_two_fingers),
+        cmocka_unit_test(test_view_history),
         cmocka_unit_test(test_edit_history),
         cmocka_unit_test(test_edit_originals),
         cmocka_unit_test(test_edit_check),

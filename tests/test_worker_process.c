@@ -5,9 +5,11 @@
 #include "refused_call.h"
 #include "testing.h"
 
+#include "assets/asset_failure.h"
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
 #include "assets/process/worker_protocol.h"
+#include "assets/process/worker_sandbox.h"
 
 #include "base/clock.h"
 
@@ -96,9 +98,9 @@ typedef enum {
     TRY_SHARED,      /**< 16 GiB of shared memory, which the limit of data does not count. */
     TRY_PRIVILEGES,  /**< Its own core files again. */
     TRY_STAT,        /**< The size and times of a file, by its name. */
+    TRY_THREAD,      /**< A thread. */
     TRY_ERROR_COUNT, /**< The first that is allowed. */
     TRY_READ,        /**< The file that was sent along, and its size. */
-    TRY_THREAD,      /**< A thread. */
     TRY_CLOCK,       /**< The time, and to sleep. */
     TRY_COUNT        /**< Number of attempts, with those that only separate them. */
 } Attempt;
@@ -180,8 +182,8 @@ static bool try_harmless(const WorkerJob *job, Attempt attempt) {
         return pread(job->file, &byte, 1, 0) == 1 && byte == SENT_BYTE &&
                lseek(job->file, 0, SEEK_END) == 1;
     case TRY_THREAD:
-        return pthread_create(&thread, NULL, run_nothing, NULL) == 0 &&
-               pthread_join(thread, NULL) == 0;
+        errno = pthread_create(&thread, NULL, run_nothing, NULL);
+        return errno == 0 && pthread_join(thread, NULL) == 0;
     default:
         return usleep(1000) == 0 && clock() >= 0;
     }
@@ -200,16 +202,20 @@ static void attempt_task(WorkerJob *job) {
     report = is_done ? 0 : errno ? errno : -1;
 }
 
+/** Number of limits of #limits_task. */
+enum { LIMIT_COUNT = 4 };
+
 /** Reports the resources that the sandbox leaves. */
 static void limits_task(WorkerJob *job) {
-    static rlim_t report[3];
-    static const int resources[3] = {RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_CPU};
+    static rlim_t report[LIMIT_COUNT];
+    static const int resources[LIMIT_COUNT] = {RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_CPU,
+                                               RLIMIT_NPROC};
     worker_job_ready();
     worker_enter_sandbox(ATTEMPT_MEMORY);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < LIMIT_COUNT; i++) {
         struct rlimit limit;
         getrlimit(resources[i], &limit);
-        report[i] = limit.rlim_cur;
+        report[i] = resources[i] == RLIMIT_NPROC ? limit.rlim_max : limit.rlim_cur;
     }
     job->report = report;
     job->report_size = sizeof report;
@@ -413,6 +419,39 @@ static void test_kept_worker(void **state) {
     free(bytes);
 }
 
+/** Where this process has no memory for a result, the worker is not to blame. */
+static void test_no_memory_for_the_result(void **state) {
+    (void)state;
+    enum { SIZE = 1 << 26 };
+    int report = 0;
+    struct rlimit before, limit;
+    char *bytes = calloc(SIZE, 1);
+    unsigned long pages = 0;
+    FILE *use = fopen("/proc/self/statm", "re");
+    assert_true(bytes && use && fscanf(use, "%lu", &pages) == 1);
+    fclose(use);
+    getrlimit(RLIMIT_AS, &before);
+    limit = (struct rlimit){pages * (rlim_t)sysconf(_SC_PAGESIZE) + SIZE / 2, before.rlim_max};
+    WorkerProcess process = {0};
+    WorkerCall call = call_of("echo", bytes, 1, 10, &report);
+    WorkerReply reply = worker_process_call(&process, &call);
+    assert_int_equal(reply.end, WORKER_FINISHED);
+    munmap(reply.block, 1);
+    // The worker runs already, without this limit.
+    call.request_size = SIZE;
+    assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
+    reply = worker_process_call(&process, &call);
+    setrlimit(RLIMIT_AS, &before);
+    free(bytes);
+    assert_int_equal(reply.end, WORKER_CUT_OFF);
+    const AssetFailure failure = {.reply = &reply, .no_process = "%s", .crash = "%s"};
+    Error error = {0};
+    assert_false(asset_failure_set(&failure, &error));
+    assert_int_equal(error.status, STATUS_FAILED);
+    assert_string_equal(error.message, "Cannot allocate memory");
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
+}
+
 /** A worker ends with its parent process. */
 static void test_worker_dies_with_its_parent(void **state) {
     (void)state;
@@ -474,15 +513,49 @@ static void test_sandbox(void **state) {
     }
     for (Attempt what = TRY_KILL_COUNT + 1; what < TRY_ERROR_COUNT; what++) {
         assert_int_equal(attempt(what, &report).end, WORKER_FINISHED);
-        assert_true(report == EACCES || report == ENOSYS || report == EPERM || report == ENOMEM);
+        assert_true(report == EACCES || report == ENOSYS || report == EPERM || report == ENOMEM ||
+                    (what == TRY_THREAD && report == EAGAIN));
     }
     assert_int_not_equal(access("/tmp/dioptre-owned", F_OK), 0);
+}
+
+/** Tries to start a process and a thread within the limits. @return 0: neither could be started. */
+static int start_within_limits(void) {
+    pthread_t thread;
+    worker_sandbox_limit(ATTEMPT_MEMORY, HUGE_VAL);
+    pid_t child = fork();
+    if (child >= 0) {
+        return 1; // In both processes.
+    }
+    bool is_refused = errno == EAGAIN;
+    return is_refused && pthread_create(&thread, NULL, run_nothing, NULL) == EAGAIN ? 0 : 2;
+}
+
+/** Without a filter, too, a worker starts neither a process nor a thread; but for root's. */
+static void test_limit_of_processes(void **state) {
+    (void)state;
+    enum { NOBODY = 65534, IS_ROOT = 77 };
+    int status;
+    pid_t child = fork();
+    if (child == 0) {
+        // The system never limits root. In a namespace of users, nobody may be unknown.
+        if (getuid() == 0 && setresuid(NOBODY, NOBODY, NOBODY) != 0) {
+            _exit(IS_ROOT);
+        }
+        _exit(start_within_limits());
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    if (WEXITSTATUS(status) == IS_ROOT) {
+        skip();
+    }
+    assert_int_equal(WEXITSTATUS(status), 0);
 }
 
 /** Files, descriptors and processor time are limited. */
 static void test_limits(void **state) {
     (void)state;
-    rlim_t limits[3] = {0};
+    rlim_t limits[LIMIT_COUNT] = {[LIMIT_COUNT - 1] = 1};
     WorkerCall call = call_of("limits", NULL, 0, 7, NULL);
     call.report = limits;
     call.report_capacity = sizeof limits;
@@ -490,6 +563,7 @@ static void test_limits(void **state) {
     assert_int_equal(limits[0], 0);
     assert_in_range(limits[1], 4, 64);
     assert_in_range(limits[2], 7, 9);
+    assert_int_equal(limits[3], 0);
     int report;
     call = call_of("sandboxed spin", NULL, 0, 0.1, &report);
     assert_int_equal(worker_process_call_once(&call).end, WORKER_TIMED_OUT);
@@ -614,12 +688,19 @@ static int run_without_filter(char **words) {
 /** @return 0 if all tests pass. `--without-filter PROGRAM...` runs a program, for scripts. */
 int main(int argc, char **argv) {
     const struct CMUnitTest tests_of_workers[] = {
-        cmocka_unit_test(test_ends),        cmocka_unit_test(test_processor_time),
-        cmocka_unit_test(test_kept_worker), cmocka_unit_test(test_worker_dies_with_its_parent),
-        cmocka_unit_test(test_sandbox),     cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_floods),      cmocka_unit_test(test_questions),
-        cmocka_unit_test(test_early_end),   cmocka_unit_test(test_reported_error),
+        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_processor_time),
+        cmocka_unit_test(test_kept_worker),
+        cmocka_unit_test(test_worker_dies_with_its_parent),
+        cmocka_unit_test(test_sandbox),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_floods),
+        cmocka_unit_test(test_questions),
+        cmocka_unit_test(test_early_end),
+        cmocka_unit_test(test_reported_error),
         cmocka_unit_test(test_deaf_worker),
+        cmocka_unit_test(test_limit_of_processes),
+        cmocka_unit_test(test_no_memory_for_the_result),
     };
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);

@@ -633,51 +633,6 @@ shoot
 same "$shot" "$work/render.bmp" 'a snapshot waits for the last pass'
 leave
 
-# --- how fast ------------------------------------------------------------------------------------
-# Other programs may be in the way: the best of three tries counts. The program measures from its
-# first line; what it takes to get there, libraries and all, is what --version takes.
-# The limits are for an optimised build on a machine that has nothing else to do, where the box takes 15 ms.
-# limit CONDITION NAME WORDS: judges a time only there, and says it anywhere.
-limit() {
-    if awk "BEGIN { exit !($1) }"; then
-        ok "$2"
-    elif "$dioptre" bench "$box" -s 800x600 --samples 1 -j 2 --frames 20 --json |
-        awk 'match($0, /"ms_median": [0-9.e+]+/) { ms = substr($0, RSTART + 13, RLENGTH - 13) } END { exit !(ms > 45) }'; then
-        echo "skipped: $2, as this build or machine is too slow just now: $3"
-    else
-        fail "$2: $3"
-    fi
-}
-began=${EPOCHREALTIME/[.,]/}
-for _ in {1..10}; do "$dioptre" --version >/dev/null; done
-loading=$(((${EPOCHREALTIME/[.,]/} - began) / 10000))
-# measure LAYER: the window's own words, with a layer on; sets start, keys, median.
-measure() {
-    open "$box" -j 2 --timing
-    xdotool key "$1"
-    shown 'pass 1 px'
-    for _ in {1..100}; do xdotool key --delay 1 a && sleep 0.03; done
-    xdotool key Escape key Escape # A layer goes first.
-    wait "$pid"
-    pid=0
-    timing=$(tail -1 "$work/log")
-    echo "# layer $1: $timing and $loading ms to load the program"
-    read -r start keys median < <(tr -d '{,}' <<<"$timing" | awk '{ print $2, $4, $6 }')
-}
-for _ in 1 2 3; do
-    measure 1
-    awk "BEGIN { exit !($start + $loading <= 150 && $keys == 100 && $median <= 16) }" && break
-done
-limit "$keys == 100" 'all keys are counted' "$keys of 100"
-limit "$median <= 16" 'key to picture: at most 16 ms' "it takes $median ms"
-limit "$start + $loading <= 150" 'exec to first picture: at most 150 ms' "it takes $start ms and $loading"
-
-for _ in 1 2 3; do
-    measure 0
-    awk "BEGIN { exit !($median <= 16) }" && break
-done
-limit "$median <= 16" 'with acne and leaks, too' "it takes $median ms"
-
 # --- with a window manager -----------------------------------------------------------------------
 if command -v openbox >/dev/null; then
     openbox >/dev/null 2>&1 &

@@ -407,7 +407,7 @@ bool engine_is_supported(const Engine *engine);
 
 /**
  * Finds an engine.
- * @param name  Its name, or `auto` for the first of #engine_list that the processor can run.
+ * @param name  Its name, or `auto` for the fastest of this processor, see #ENGINE_FASTEST.
  * @param[out] error  The names that exist, or the feature that the processor lacks.
  * @return The engine; NULL if none has the name or the processor cannot run it.
  */
@@ -415,13 +415,17 @@ const Engine *engine_find(const char *name, Error *error);
 
 /** The purpose of an engine. */
 typedef enum {
-    ENGINE_FASTEST,  /**< The default: the preferred engine of this processor. */
+    ENGINE_FASTEST,  /**< The default: the first of #engine_list that the processor can run, or that
+                        of AVX-512 where it was measured to be faster. */
     ENGINE_DOUBLE,   /**< For scenes in which single precision shows errors. */
     ENGINE_REFERENCE /**< Errors are measured against it: more bits than double. */
 } EngineRole;
 
 /** @return The preferred engine for a purpose that this processor can run; NULL: none is built. */
 const Engine *engine_with_role(EngineRole role);
+
+/** @return Why #ENGINE_FASTEST is what it is on this processor, in English. */
+const char *engine_fastest_reason(void);
 
 /** @return The engine with one lane of the same number type, whose bits are the same; the engine
  *          itself where no such engine is built. */

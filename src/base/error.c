@@ -77,3 +77,8 @@ const char *error_errno_text(int code) {
     }
     return strerror(code);
 }
+
+bool error_set_errno(Error *error, int code) {
+    bool is_short = code == ENOMEM || code == EMFILE || code == ENFILE || code == EAGAIN;
+    return error_set(error, is_short ? STATUS_FAILED : STATUS_SCENE, "%s", error_errno_text(code));
+}

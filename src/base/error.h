@@ -56,6 +56,16 @@ bool error_set_line(Error *error, size_t line);
 bool error_prefix(Error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /**
+ * Sets the error of a system call that should have read a file.
+ * @param[out] error  The error; NULL: none is stored. #STATUS_FAILED where the system is short of
+ *                    memory, descriptors or threads, which is no fault of the file; else
+ *                    #STATUS_SCENE.
+ * @param code        The `errno`.
+ * @return false, always.
+ */
+bool error_set_errno(Error *error, int code);
+
+/**
  * @return The message of a system error, translated.
  * @param code  The `errno`.
  */

@@ -12,7 +12,7 @@
 
 bool regular_file_check(int file, struct stat *info, Error *error) {
     if (fstat(file, info) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        return error_set_errno(error, errno);
     }
     return S_ISREG(info->st_mode) ||
            error_set(error, STATUS_SCENE,
@@ -23,7 +23,7 @@ bool regular_file_check(int file, struct stat *info, Error *error) {
 int regular_file_open(const char *path, struct stat *info, Error *error) {
     int file = open(path, REGULAR_FILE_FLAGS);
     if (file < 0) {
-        error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        error_set_errno(error, errno);
         return -1;
     }
     if (!regular_file_check(file, info, error)) {

@@ -102,7 +102,7 @@ static const char *engine_reason(const SceneInfo *info) {
         return N_("asked for");
     }
     return info->settings.engine == engine_with_role(ENGINE_FASTEST)
-               ? N_("the default for this processor")
+               ? engine_fastest_reason()
                : N_("double precision, as single precision is estimated to show errors here");
 }
 

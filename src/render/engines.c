@@ -4,6 +4,9 @@
  */
 #include "dioptre/engine.h"
 
+#include "base/language.h"
+#include "render/processor.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -39,15 +42,46 @@ bool engine_is_supported(const Engine *engine) {
     return engine_missing_feature(engine) == NULL;
 }
 
+/** @return The engine that AVX-512 runs, where the processor has it; NULL: there is none. */
+static const Engine *engine_avx512(void) {
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if ((*engine)->needs == ENGINE_NEEDS_AVX512 && engine_is_supported(*engine)) {
+            return *engine;
+        }
+    }
+    return NULL;
+}
+
+/** @return The fastest engine of this processor, as far as that was measured. */
+static const Engine *engine_fastest(void) {
+    const Engine *widest = engine_avx512();
+    const Processor processor = processor_current();
+    if (widest && processor_prefers_avx512(&processor)) {
+        return widest;
+    }
+    // The list is in order of preference: the engine of AVX-512 comes behind that of AVX2.
+    const Engine *const *engine = engine_list();
+    while (*engine && !engine_is_supported(*engine)) {
+        engine++;
+    }
+    return *engine;
+}
+
+const char *engine_fastest_reason(void) {
+    const Engine *widest = engine_avx512(), *fastest = engine_fastest();
+    return !widest             ? N_("the default for this processor")
+           : widest == fastest ? N_("AVX-512 was measured to be faster on this processor than AVX2")
+                               : N_("the default; AVX-512 was not measured on this processor");
+}
+
 const Engine *engine_with_role(EngineRole role) {
-    // The list is in order of preference. Sixteen lanes are behind eight there: some processors
-    // lower their clock to run them.
     enum { DOUBLE_BITS = 53 };
+    if (role == ENGINE_FASTEST) {
+        return engine_fastest();
+    }
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         int bits = (*engine)->mantissa_bits;
-        bool has_role = role == ENGINE_FASTEST  ? true
-                        : role == ENGINE_DOUBLE ? bits == DOUBLE_BITS
-                                                : bits > DOUBLE_BITS;
+        bool has_role = role == ENGINE_DOUBLE ? bits == DOUBLE_BITS : bits > DOUBLE_BITS;
         if (has_role && engine_is_supported(*engine)) {
             return *engine;
         }
@@ -80,12 +114,12 @@ const Engine *engine_find(const char *name, Error *error) {
     }
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (strcmp(name, (*engine)->name) == 0) {
-            if (engine_is_supported(*engine)) {
-                return *engine;
+            const char *missing = engine_missing_feature(*engine);
+            if (missing) {
+                error_set(error, STATUS_USAGE, "engine %s needs a processor with %s", name,
+                          missing);
             }
-            error_set(error, STATUS_USAGE, "engine %s needs a processor with %s", name,
-                      engine_missing_feature(*engine));
-            return NULL;
+            return missing ? NULL : *engine;
         }
     }
     error_unknown_engine(name, error);

@@ -4,7 +4,7 @@
  */
 #include "render/renderer_internal.h"
 
-/** Width and height of a block, rays: so many are traced between two looks at the clock. */
+/** Width and height of a block, rays. */
 enum { BLOCK_SIZE = 8 };
 
 /** Pixels from one ray of a forecast to the next, in both directions, at most. */
@@ -14,8 +14,10 @@ enum { FORECAST_STRIDE_MAXIMUM = 8 };
  *  is then missed once in 150 forecasts. */
 enum { FORECAST_RAYS_MINIMUM = 1000 };
 
+typedef struct PictureSample PictureSample;
+
 /** A sample of the picture, as its threads share it. */
-typedef struct PictureSample {
+struct PictureSample {
     const Renderer *renderer; /**< The renderer. */
     int stride;               /**< Pixels from one ray to the next, in both directions. */
     size_t count;             /**< Number of blocks of the picture. */
@@ -24,7 +26,9 @@ typedef struct PictureSample {
     const atomic_bool *stop;  /**< Once true, no further block is traced; NULL: never. */
     RenderPass rays;          /**< Sums up the rays of a forecast. */
     atomic_size_t rays_done;  /**< Rays that were traced. */
-} PictureSample;
+    /** Traces the rays of some rows of a block. */
+    void (*trace)(PictureSample *sample, const PixelGrid *rows);
+};
 
 /** @return Rays along a row or a column. @param pixels Pixels of it. */
 static int rays_along(int pixels, int stride) {
@@ -34,9 +38,9 @@ static int rays_along(int pixels, int stride) {
 /** @return The stride of a forecast. */
 static int forecast_stride(const RenderSettings *settings) {
     int stride = FORECAST_STRIDE_MAXIMUM;
-    while (stride > 1 && rays_along(settings->width, stride) *
-                                 rays_along(settings->height, stride) <
-                             FORECAST_RAYS_MINIMUM) {
+    while (stride > 1 &&
+           rays_along(settings->width, stride) * rays_along(settings->height, stride) <
+               FORECAST_RAYS_MINIMUM) {
         stride /= 2;
     }
     return stride;
@@ -69,32 +73,37 @@ static bool sample_is_over(const PictureSample *sample) {
            (sample->stop && atomic_load_explicit(sample->stop, memory_order_relaxed));
 }
 
-/** Finds the nearest hits of the camera rays of a block. See #ThreadPoolTask. */
-static void sample_hits(void *context, size_t index) {
-    PictureSample *sample = context;
-    if (sample_is_over(sample)) {
-        return;
-    }
+/** Finds the nearest hits of camera rays. See #PictureSample.trace. */
+static void sample_hits(PictureSample *sample, const PixelGrid *rows) {
     const Renderer *renderer = sample->renderer;
-    PixelGrid grid = block_grid(sample, index);
     int shapes[BLOCK_SIZE * BLOCK_SIZE];
     double distances[BLOCK_SIZE * BLOCK_SIZE];
-    renderer->settings.engine->trace_primary(renderer->tracer, &grid, shapes, distances);
-    atomic_fetch_add(&sample->rays_done, (size_t)grid.columns * (size_t)grid.rows);
+    renderer->settings.engine->trace_primary(renderer->tracer, rows, shapes, distances);
+    atomic_fetch_add(&sample->rays_done, (size_t)rows->columns * (size_t)rows->rows);
 }
 
-/** Traces the camera rays of a block with all that come from them. See #ThreadPoolTask. */
-static void sample_light(void *context, size_t index) {
-    PictureSample *sample = context;
-    if (sample_is_over(sample)) {
-        return;
-    }
+/** Traces camera rays with all that come from them. See #PictureSample.trace. */
+static void sample_light(PictureSample *sample, const PixelGrid *rows) {
     const Renderer *renderer = sample->renderer;
-    PixelGrid grid = block_grid(sample, index);
     double rgb[3 * BLOCK_SIZE * BLOCK_SIZE];
     RayCounts counts = {0};
-    renderer->settings.engine->trace(renderer->tracer, &grid, rgb, &counts);
+    renderer->settings.engine->trace(renderer->tracer, rows, rgb, &counts);
     render_pass_add_rays(&sample->rays, &counts, 0);
+}
+
+/**
+ * Traces a block, as long as there is time. See #ThreadPoolTask. Between two looks at the clock, an
+ * engine traces as many rows as it has lanes: a ray may take milliseconds in quad.
+ */
+static void sample_block(void *context, size_t index) {
+    PictureSample *sample = context;
+    PixelGrid block = block_grid(sample, index), rows = block;
+    int lanes = sample->renderer->settings.engine->lanes;
+    for (int done = 0; done < block.rows && !sample_is_over(sample); done += rows.rows) {
+        rows.y = block.y + done * block.stride;
+        rows.rows = lanes < block.rows - done ? lanes : block.rows - done;
+        sample->trace(sample, &rows);
+    }
 }
 
 /**
@@ -118,21 +127,21 @@ static size_t spreading_step(size_t count) {
 }
 
 /** Traces blocks until all are traced or the time is over. */
-static void sample_run(Renderer *renderer, PictureSample *sample, void (*block)(void *, size_t)) {
+static void sample_run(Renderer *renderer, PictureSample *sample) {
     const RenderSettings *settings = &renderer->settings;
     sample->renderer = renderer;
     sample->count = blocks_along(settings->width, sample->stride) *
                     blocks_along(settings->height, sample->stride);
     sample->step = spreading_step(sample->count);
-    thread_pool_run(renderer->thread_pool, sample->count, block, sample);
+    thread_pool_run(renderer->thread_pool, sample->count, sample_block, sample);
 }
 
 RenderStats renderer_sample_camera_rays(Renderer *renderer, double seconds) {
     const RenderSettings *settings = &renderer->settings;
     size_t pixels = (size_t)settings->width * (size_t)settings->height;
     double start = clock_now_seconds();
-    PictureSample sample = {.stride = 1, .deadline = start + seconds};
-    sample_run(renderer, &sample, sample_hits);
+    PictureSample sample = {.stride = 1, .deadline = start + seconds, .trace = sample_hits};
+    sample_run(renderer, &sample);
     size_t rays_done = atomic_load(&sample.rays_done);
     return (RenderStats){.seconds = clock_now_seconds() - start,
                          .rays = {.camera = rays_done},
@@ -147,7 +156,8 @@ RayCounts renderer_forecast_light(Renderer *renderer, double seconds, const atom
     PictureSample sample = {.stride = forecast_stride(&renderer->settings),
                             .deadline = clock_now_seconds() + seconds,
                             .stop = stop,
+                            .trace = sample_light,
                             .rays = {.renderer = renderer}};
-    sample_run(renderer, &sample, sample_light);
+    sample_run(renderer, &sample);
     return render_pass_stats(&sample.rays, false).rays;
 }

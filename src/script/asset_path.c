@@ -119,7 +119,7 @@ int asset_path_open(const ScriptRequest *request, const char *name, char display
             error_set(error, STATUS_SCENE,
                       "No such file in the scene's folder; files outside it are not read");
         } else {
-            error_set(error, STATUS_SCENE, "%s", error_errno_text(failure));
+            error_set_errno(error, failure);
         }
         return -1;
     }

@@ -74,10 +74,11 @@ static void find_scene(ScriptResponder *responder, const char *name) {
     responder->has_scene = true;
     const char *path = responder->request->path, *slash = strrchr(path, '/');
     int dir_length = slash && name[0] != '/' ? (int)(slash + 1 - path) : 0;
-    int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s", dir_length, path, name);
+    // The name - means standard input elsewhere.
+    const char *here = dir_length == 0 && strcmp(name, "-") == 0 ? "./" : "";
+    int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s%s", dir_length, path, here, name);
     if (length >= PATH_MAX || access(answer->real_path, R_OK) != 0) {
-        error_set(&answer->error, STATUS_SCENE, "%s",
-                  error_errno_text(length >= PATH_MAX ? ENAMETOOLONG : errno));
+        error_set_errno(&answer->error, length >= PATH_MAX ? ENAMETOOLONG : errno);
     }
 }
 
@@ -106,6 +107,8 @@ bool script_question_answer(void *context, const void *bytes, size_t size,
     } else {
         find_file(responder, &question, response);
     }
+    responder->is_system_short =
+        responder->is_system_short || responder->answer.error.status == STATUS_FAILED;
     return true;
 }
 
@@ -130,7 +133,7 @@ bool script_question_ask(ScriptQuestionKind kind, const char *name, ScriptAnswer
                          int *file) {
     int found = -1;
     if (strlen(name) >= PATH_MAX) {
-        return error_set(&answer->error, STATUS_SCENE, "%s", error_errno_text(ENAMETOOLONG));
+        return error_set_errno(&answer->error, ENAMETOOLONG);
     }
     *answer = ask(kind, name, &found);
     if (file) {

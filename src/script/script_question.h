@@ -44,6 +44,8 @@ typedef struct ScriptResponder {
     bool is_lesson;               /**< Whether a lesson runs: it has a scene, and no other file. */
     bool has_scene;               /**< Whether the lesson has asked for its scene: it has one. */
     size_t bytes_printed;         /**< Number of bytes that the run printed. */
+    bool is_system_short;         /**< Whether the system lacked memory or descriptors for a file:
+                                     no fault of the scene, whatever its worker says. */
     ScriptAnswer answer;          /**< The last answer. */
 } ScriptResponder;
 

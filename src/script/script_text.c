@@ -4,13 +4,12 @@
  */
 #include "script/script_text.h"
 
+#include "base/regular_file.h"
 #include "base/sanitize.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /** Byte order mark of UTF-8; some editors on Windows write it. */
@@ -20,7 +19,7 @@ static const char byte_order_mark[] = "\xEF\xBB\xBF";
 static bool check_regular(int file, Error *error) {
     struct stat info;
     if (fstat(file, &info) != 0) {
-        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        return error_set_errno(error, errno);
     }
     if (S_ISDIR(info.st_mode)) {
         return error_set(error, STATUS_SCENE, "this is a folder, not a scene file");
@@ -42,9 +41,9 @@ static int open_script(const char *path, Error *error) {
     if (strcmp(path, "-") == 0) {
         return STDIN_FILENO;
     }
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    int file = open(path, REGULAR_FILE_FLAGS);
     if (file < 0) {
-        error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        error_set_errno(error, errno);
         return -1;
     }
     if (!check_regular(file, error)) {
@@ -89,7 +88,7 @@ static bool read_all(ScriptText *script, int file, Error *error) {
             return script->size <= SCRIPT_TEXT_MAXIMUM || grow(script, &capacity, error);
         }
         if (count < 0 && errno != EINTR) {
-            return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+            return error_set_errno(error, errno);
         }
         script->size += count > 0 ? (size_t)count : 0;
     }

@@ -12,7 +12,6 @@
 #include "script/script_run.h"
 
 #include <libintl.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -154,6 +153,9 @@ bool script_worker_run(const ScriptCall *call, size_t *block_size, Error *error)
         if (reply.end != WORKER_FINISHED ||
             (result->error.status == STATUS_OK && reply.block_size == 0)) {
             set_failure(request, &reply, result);
+        }
+        if (responder.is_system_short && result->error.status == STATUS_SCENE) {
+            result->error.status = STATUS_FAILED;
         }
         *block_size = reply.block_size;
         is_good = result->error.status == STATUS_OK;

@@ -109,6 +109,14 @@ bool app_is_time_settled(const App *app) {
 
 /* --- the view --------------------------------------------------------------------------------- */
 
+/** The user is about to move camera or lights: it can be undone. @param subject See
+ *  #ViewStep.subject. */
+static void note_move(App *app, size_t subject) {
+    const ViewStep step = {.edits = edit_history_in_force(&app->edits), .subject = subject};
+    view_history_note(&app->moves, &app->home_view, app->scene, &step, app_clock(app));
+    edit_history_forget_undone(&app->edits);
+}
+
 void app_on_view_changed(App *app) {
     window_invalidate(&app->window);
     if (!app->wants_snapshot) {
@@ -131,6 +139,7 @@ void app_move(App *app, Movement light, Movement camera) {
     bool is_light_moved =
         movement_is_nonzero(light) && app->selected_light < app->scene->light_count;
     if (is_light_moved || movement_is_nonzero(camera)) {
+        note_move(app, movement_is_nonzero(camera) ? VIEW_SUBJECT_ALL : app->selected_light);
         view_state_move(&app->home_view, app->scene, app->selected_light, light, camera,
                         app->input.camera_motion);
         app_on_view_changed(app);
@@ -145,6 +154,7 @@ void app_move(App *app, Movement light, Movement camera) {
 void app_drag_light(App *app, size_t light, Vec3d offset) {
     if (light < app->scene->light_count) {
         app->selected_light = light;
+        note_move(app, light);
         app->home_view.is_light_moved[light] = true;
         scene_light_move(&app->scene->lights[light], offset, app->scene->camera.target_distance);
         app_on_view_changed(app);
@@ -156,6 +166,7 @@ void app_turn(App *app, double right, double up) {
         ray_view_turn(&app->window.ray_view, right, up);
         return;
     }
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_rotate(&app->scene->camera, app->home_view.up_axis, right, up);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -166,6 +177,7 @@ void app_orbit(App *app, double right, double up, Vec3d center) {
         ray_view_turn(&app->window.ray_view, right, up);
         return;
     }
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_orbit(&app->scene->camera, app->home_view.up_axis, center, right, up);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -173,6 +185,7 @@ void app_orbit(App *app, double right, double up, Vec3d center) {
 
 void app_pan(App *app, double right, double up) {
     if (!app->window.ray_view.is_open) {
+        note_move(app, VIEW_SUBJECT_ALL);
         scene_camera_move(&app->scene->camera, right, up, 0);
         app->home_view.is_camera_moved = true;
         app_on_view_changed(app);
@@ -184,6 +197,7 @@ void app_zoom(App *app, double notches) {
         ray_view_move(&app->window.ray_view, (Movement){.forward = notches * FORWARD_PER_NOTCH});
         return;
     }
+    note_move(app, VIEW_SUBJECT_ALL);
     scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
@@ -208,6 +222,7 @@ void app_choose_ray(App *app, size_t ray) {
 
 void app_reset_view(App *app) {
     ray_view_reset_camera(&app->window.ray_view);
+    note_move(app, VIEW_SUBJECT_ALL);
     view_state_reset(&app->home_view, app->scene);
     app->selected_light = 0;
     app_on_view_changed(app);
@@ -221,6 +236,7 @@ void app_restart_view(App *app, double time) {
     window_set_layer(&app->window, LAYER_SHADED);
     app_reset_view(app);
     edit_history_clear(&app->edits);
+    view_history_clear(&app->moves);
     app->window.object_inspector = (ObjectInspector){0};
     ray_view_reset(&app->window.ray_view);
 }

@@ -27,7 +27,7 @@
 #include "view/state/clocks.h"
 #include "view/state/command.h"
 #include "view/state/edit_history.h"
-#include "view/state/view_state.h"
+#include "view/state/view_history.h"
 #include "view/window.h"
 
 #include <sys/stat.h>
@@ -177,6 +177,7 @@ typedef struct App {
     Timeline timeline;            /**< The scene's time. */
     ViewState home_view;          /**< Camera and lights as the scene file has them. */
     size_t selected_light;        /**< Index of the light that keys move. */
+    ViewHistory moves;            /**< How the user has moved camera and lights. */
     EditHistory edits;            /**< What the user has changed of its objects. */
     InputState input;             /**< Keyboard and mouse. */
     Player player;                /**< The lesson that plays. */
@@ -272,7 +273,7 @@ void app_step_pixel(App *app, int right, int down);
 /** Chooses one of the rays that are shown. @param ray Its index. */
 void app_choose_ray(App *app, size_t ray);
 
-/** Puts camera and lights back where the scene file has them. */
+/** Puts camera and lights back where the scene file has them; it can be undone. */
 void app_reset_view(App *app);
 
 /** Puts back all that a lesson may change: view, settings, layer, rays, moves; pauses the time.

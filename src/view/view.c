@@ -249,5 +249,6 @@ Status view_run(Scene *scene, const ViewSettings *settings, const atomic_bool *s
     SDL_Quit();
     view_state_deinit(&app.home_view);
     edit_history_deinit(&app.edits);
+    view_history_clear(&app.moves);
     return status;
 }

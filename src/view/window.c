@@ -2,11 +2,9 @@
  * @file
  * @brief Composing viewports and panels.
  */
-#include "view/window.h"
+#include "view/window_internal.h"
 
 #include "base/language.h"
-#include "view/panels/picture_unrest.h"
-#include "view/state/snapshot.h"
 #include "view/window/window_icon.h"
 
 #include <libintl.h>
@@ -17,8 +15,6 @@ static const double TEXT_SCALE_STEP = 1.2;
 /** Largest factor of the size of letters; the smallest is its inverse. */
 static const double TEXT_SCALE_MAXIMUM = 3;
 
-/** How much calmer the other edge must be until a caption goes there. */
-static const double UNREST_RATIO = 1.5;
 /** Seconds after a change of a setting that the panel of settings stays by itself. */
 static const double SETTINGS_SECONDS = 12;
 /** Seconds that the name of a layer is shown in a presentation. */
@@ -232,6 +228,7 @@ void window_on_visibility(Window *window) {
 }
 
 bool window_on_resize(Window *window) {
+    window_fold_large_toolbar(window);
     window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =
@@ -241,6 +238,9 @@ bool window_on_resize(Window *window) {
         window_invalidate(window);
     }
     window_present(window);
+    if (window_fold_large_toolbar(window)) {
+        window_on_resize(window); // In letters of the new size it was too large.
+    }
     return is_other;
 }
 
@@ -256,90 +256,7 @@ void window_on_device_reset(Window *window) {
     ray_view_release_textures(&window->ray_view);
 }
 
-/* --- showing ---------------------------------------------------------------------------------- */
-
-/** Draws the viewports. */
-static void draw_viewports(Window *window) {
-    SDL_Renderer *renderer = window->sdl.renderer;
-    SDL_Rect rect = window_picture_rect(window), clip = rect;
-    if (window_viewport_count(window) == 1) {
-        streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
-    } else if (window->split.mode == SPLIT_DIFFERENCE) {
-        streaming_texture_draw(&window->split.difference_texture, renderer, &rect, &clip);
-    } else {
-        clip.w = split_view_column(&window->split, rect.w);
-        streaming_texture_draw(&window->viewports[0].texture, renderer, &rect, &clip);
-        clip.x += clip.w;
-        clip.w = rect.w - clip.w;
-        streaming_texture_draw(&window->viewports[1].texture, renderer, &rect, &clip);
-        split_view_draw_bar(&window->split, renderer, &rect);
-    }
-}
-
-/** Shows the panels on the viewports, in the upper corners of an area. @param[out] extents Where
- *  they lie. */
-static void show_huds(Window *window, const GuiRect *area, GuiRect extents[WINDOW_VIEWPORTS]) {
-    static const char *const ids[WINDOW_VIEWPORTS] = {"panel 1", "panel 2"};
-    static const char *const titles[2][WINDOW_VIEWPORTS] = {{N_("left"), N_("right")},
-                                                            {N_("left ←"), N_("right ←")}};
-    size_t count = window_viewport_count(window);
-    for (size_t i = 0; i < count; i++) {
-        bool is_active = window->split.active == i;
-        HudContent content = {.viewport = &window->viewports[i],
-                              .title = count > 1 ? titles[is_active][i] : NULL,
-                              .shows_settings = window->shows_settings};
-        hud_update(&window->huds[i], &content, clock_now_seconds());
-        GuiPlace place = {*area, (float)i, 0};
-        place.room.width = area->width / (float)count;
-        place.room.x += (float)i * place.room.width;
-        extents[i] = hud_show(&window->huds[i], ids[i], &place);
-    }
-}
-
-/** Chooses the edge of the picture at which the caption hides least. @param room The room for it,
- *  @param is_top_free Whether nothing else lies at the upper edge. */
-static void choose_caption_edge(Window *window, const GuiRect *room, bool is_top_free) {
-    Caption *caption = &window->caption;
-    double part = (double)(caption_height(caption, room->width) / SDL_max(1, room->height));
-    double above = picture_unrest(&window->viewports[0], 0, part);
-    double below = picture_unrest(&window->viewports[0], 1 - part, 1);
-    double favour = caption->is_above ? UNREST_RATIO : 1 / UNREST_RATIO;
-    caption->is_above = is_top_free && above < below * favour;
-}
-
-float window_show_panels(Window *window, const GuiRect *area) {
-    GuiRect extents[WINDOW_VIEWPORTS] = {{0}};
-    GuiRect room = *area;
-    if (!window->ray_view.is_open) {
-        show_huds(window, area, extents);
-    }
-    float notice = notice_show(&window->notice, &room);
-    room.height = SDL_max(1, room.height - notice);
-    if (caption_is_open(&window->caption)) {
-        choose_caption_edge(window, &room, extents[0].height <= 0 && !window->ray_view.is_open);
-    }
-    GuiRect caption = caption_show(&window->caption, &room);
-    bool is_below = caption.height > 0 && !window->caption.is_above;
-    return is_below ? caption.y : room.y + room.height;
-}
-
-/** Draws the pictures. */
-static void draw_pictures(Window *window) {
-    SDL_Rect area = window_area(window);
-    sdl_window_clear(&window->sdl);
-    if (window->ray_view.is_open && !window->help.is_open) {
-        ray_view_show(&window->ray_view, &window_active_viewport(window)->texture,
-                      window->sdl.renderer, &area);
-    } else {
-        draw_viewports(window);
-    }
-}
-
-void window_present(Window *window) {
-    draw_pictures(window);
-    window_show_widgets(window);
-    sdl_window_present(&window->sdl);
-}
+/* --- text ------------------------------------------------------------------------------------- */
 
 void window_invalidate_text(Window *window) {
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
@@ -421,8 +338,8 @@ bool window_update(Window *window, const Scene *scene, double now, Error *error)
         window_icon_set(window->sdl.window); // After the first picture, which it would delay.
         window_open_widgets(window);
     }
-    bool has_point = settings_chart_panel_update(&window->settings_chart,
-                                                 window_active_viewport(window), scene);
+    bool has_point =
+        settings_chart_panel_update(&window->settings_chart, window_active_viewport(window), scene);
     if (window_widgets_are_due(window, now) || has_point) {
         window_present(window);
     }
@@ -460,74 +377,4 @@ bool window_is_finished(const Window *window) {
         is_finished = is_finished && viewport_is_finished(&window->viewports[i]);
     }
     return is_finished;
-}
-
-/** Copies the picture on screen. @param[out] bgrx See #split_view_compose. @return false without
- * memory. */
-static bool copy_pixels(Window *window, uint8_t *bgrx, int pitch) {
-    RenderStats report;
-    return window_viewport_count(window) > 1
-               ? split_view_compose(&window->split, &window->viewports[0], &window->viewports[1],
-                                    bgrx, pitch)
-               : renderer_copy_latest(window->viewports[0].renderer, &report, bgrx, pitch);
-}
-
-/** Makes a picture of pixels of the screen. @param bgrx The pixels, freed here; NULL: there are
- * none.
- *  @return Whether it is made. */
-static bool picture_from_screen(uint8_t *bgrx, int width, int height, Picture *picture,
-                                Error *error) {
-    if (!bgrx) {
-        return error_set(error, STATUS_FAILED, "no memory for a snapshot");
-    }
-    bool is_made = picture_init(picture, width, height, error);
-    if (is_made) {
-        snapshot_from_bgrx(bgrx, picture);
-    }
-    free(bgrx);
-    return is_made;
-}
-
-void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb) {
-    const SplitView *split = &window->split;
-    const Viewport *first = &window->viewports[0];
-    if (window_viewport_count(window) == 1) {
-        renderer_copy_part(first->renderer, x, y, columns, rows, rgb);
-    } else if (split->mode == SPLIT_DIFFERENCE) {
-        split_view_copy_part(split, x, y, columns, rows, rgb);
-    } else {
-        int right = split_view_column(split, first->width);
-        for (int column = x; column < x + columns; column++) {
-            Renderer *renderer = window->viewports[column >= right ? 1 : 0].renderer;
-            for (int row = y; row < y + rows; row++) {
-                uint8_t *pixel = rgb + 3 * ((row - y) * columns + column - x);
-                renderer_copy_part(renderer, column, row, 1, 1, pixel);
-            }
-        }
-    }
-}
-
-bool window_copy_screen(Window *window, Picture *picture, Error *error) {
-    SDL_Rect area = window_area(window);
-    size_t row = (size_t)area.w * 4;
-    uint8_t *bgrx = malloc(row * (size_t)area.h);
-    draw_pictures(window);
-    window_show_panels_alone(window);
-    if (bgrx && SDL_RenderReadPixels(window->sdl.renderer, &area, SDL_PIXELFORMAT_XRGB8888, bgrx,
-                                     (int)row) != 0) {
-        free(bgrx);
-        return error_set(error, STATUS_FAILED, "the screen cannot be read: %s", SDL_GetError());
-    }
-    return picture_from_screen(bgrx, area.w, area.h, picture, error);
-}
-
-bool window_copy_picture(Window *window, Picture *picture, Error *error) {
-    int width = window->viewports[0].width, height = window->viewports[0].height;
-    size_t row = (size_t)width * 4;
-    uint8_t *bgrx = malloc(row * (size_t)height);
-    if (bgrx && !copy_pixels(window, bgrx, (int)row)) {
-        free(bgrx);
-        bgrx = NULL;
-    }
-    return picture_from_screen(bgrx, width, height, picture, error);
 }

@@ -30,12 +30,12 @@ enum { WINDOW_VIEWPORTS = 2 };
 
 /** What the window shows beside its pictures. Each frame of the event loop sets it anew. */
 typedef struct WindowState {
-    const Scene *scene;    /**< The scene on screen; NULL: none yet. */
-    size_t selected_light; /**< Index of the light that keys move. */
-    bool is_animated;      /**< Whether the scene depends on time. */
-    bool is_running;       /**< Whether its time runs. */
-    bool is_recording;     /**< Whether a lesson is recorded. */
-    bool is_playing;       /**< Whether a lesson plays. */
+    const Scene *scene;         /**< The scene on screen; NULL: none yet. */
+    size_t selected_light;      /**< Index of the light that keys move. */
+    bool is_animated;           /**< Whether the scene depends on time. */
+    bool is_running;            /**< Whether its time runs. */
+    bool is_recording;          /**< Whether a lesson is recorded. */
+    bool is_playing;            /**< Whether a lesson plays. */
     const EditHistory *edits;   /**< What the user has changed of its objects. */
     const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;
@@ -48,13 +48,15 @@ typedef struct Toast {
 
 /** A window. Starts as `{0}`. */
 typedef struct Window {
-    Viewport viewports[WINDOW_VIEWPORTS]; /**< The viewports; the second is open only in the split
-                                             view. */
-    SplitView split;                      /**< How they share the window. */
-    RenderSettings base_settings;         /**< Settings of both without the user's changes. */
-    SdlWindow sdl;                        /**< The window on the screen. */
-    Hud huds[WINDOW_VIEWPORTS];           /**< The panel on each viewport. */
-    bool shows_settings;                  /**< Whether the panels show the settings. */
+    Viewport viewports[WINDOW_VIEWPORTS];   /**< The viewports; the second is open only in the split
+                                               view. */
+    SplitView split;                        /**< How they share the window. */
+    RenderSettings base_settings;           /**< Settings of both without the user's changes. */
+    SdlWindow sdl;                          /**< The window on the screen. */
+    Hud huds[WINDOW_VIEWPORTS];             /**< The panel on each viewport. */
+    GuiRect hud_rects[WINDOW_VIEWPORTS];    /**< Where these lie in this frame. */
+    GuiRect legend_rects[WINDOW_VIEWPORTS]; /**< Where the legends lie in it. */
+    bool shows_settings;                    /**< Whether the panels show the settings. */
     double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
     bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
     Toast layer_name;         /**< Name of the layer, in a presentation. */
@@ -70,16 +72,16 @@ typedef struct Window {
     int fitted_height;        /**< Height of bar and lesson panel that the window has
                                    room for, pixels. */
     LightMarks light_marks;   /**< The marks of the lights. */
-    ObjectInspector object_inspector; /**< The selected object. */
-    Magnifier magnifier;      /**< Some pixels as squares. */
+    ObjectInspector object_inspector;  /**< The selected object. */
+    Magnifier magnifier;               /**< Some pixels as squares. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
-    Toast toast;              /**< The newest message. */
-    Toast hint;               /**< What to press, at the start. */
-    double next_progress_time; /**< When bar or legend say next how far it is,
-                                    seconds. */
-    WindowState state;         /**< What they show. */
-    double text_scale;         /**< Factor of the size of letters; 0: 1. */
-    Latency latency;           /**< The latency from keys to pictures. */
+    Toast toast;                       /**< The newest message. */
+    Toast hint;                        /**< What to press, at the start. */
+    double next_progress_time;         /**< When bar or legend say next how far it is,
+                                            seconds. */
+    WindowState state;                 /**< What they show. */
+    double text_scale;                 /**< Factor of the size of letters; 0: 1. */
+    Latency latency;                   /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
     bool is_hidden;            /**< Whether the window is hidden or minimized. */
     uint32_t pass_event;       /**< SDL event of a finished pass. */
@@ -185,36 +187,6 @@ void window_set_size_below_toolbar(Window *window, int width, int height);
 /** Creates buttons, lists and marks, once the first picture is on screen. */
 void window_open_widgets(Window *window);
 
-/** Shows panels, buttons, lists, marks and messages over the picture. */
-void window_show_widgets(Window *window);
-
-/** @return A rectangle of pixels in screen units. */
-SDL_Rect window_to_units(const Window *window, SDL_Rect rect);
-
-/** Shows legends and rings: what belongs to a picture of the screen, too. */
-void window_show_values(const Window *window);
-
-/** Shows panels alone, without buttons, marks and messages: for a picture of the screen. */
-void window_show_panels_alone(Window *window);
-
-/** Shows the panels on the pictures: settings, costs, legends, captions and notices. @param area
- * The part of the window for them, screen units. @return Where what lies at its lower edge begins.
- */
-float window_show_panels(Window *window, const GuiRect *area);
-
-/** Places the magnifier. */
-void window_follow_mouse(Window *window);
-
-/** Shows how far a pass is that takes long, at the lower edge of the picture. */
-void window_show_progress(Window *window);
-
-/** @return Seconds until that bar, or the number of a legend, moves; #WINDOW_NO_TIMEOUT: there is
- *  none. */
-double window_progress_timeout(const Window *window, double now);
-
-/** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
-void window_show_readout(const Window *window);
-
 /** Shows or hides the chart of settings. */
 void window_toggle_chart(Window *window);
 
@@ -224,12 +196,6 @@ void window_toggle_magnifier(Window *window);
 /** Copies the colours of a part of the picture as it is seen: of one picture, of two, or of their
  *  difference. See #renderer_copy_part. */
 void window_copy_part(const Window *window, int x, int y, int columns, int rows, uint8_t *rgb);
-
-/** @return Whether they have changed since they were shown. */
-bool window_widgets_are_due(Window *window, double now);
-
-/** @return Seconds until they change by themselves; see #window_timeout. */
-double window_widgets_timeout(const Window *window, double now);
 
 /** Lays bar and lesson panel out again after a change of their words or letters: the picture keeps
  *  its size. */

@@ -4,7 +4,7 @@
  */
 #include "base/clock.h"
 #include "view/gui/gui.h"
-#include "view/window.h"
+#include "view/window_internal.h"
 
 #include <math.h>
 

@@ -2,10 +2,9 @@
  * @file
  * @brief Values over the picture: legends, rings around artefacts, the pixel under the mouse.
  */
-#include "view/window.h"
-
 #include "view/panels/legend.h"
 #include "view/panels/pixel_readout.h"
+#include "view/window_internal.h"
 
 /** Radius of a ring, in heights of letters. */
 static const float RING_RADIUS = 0.8F;
@@ -54,9 +53,10 @@ static bool pixel_under_mouse(const Window *window, int *column, int *row) {
 
 /* --- legends ---------------------------------------------------------------------------------- */
 
-/** Draws a legend. @param area The window without its bar, screen units. */
-static void draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area,
-                        bool is_right) {
+/** Draws the legend of a viewport. @param area The window without its bar, screen units. @return
+ *  Where it lies. */
+static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area,
+                           bool is_right) {
     GuiSwatch swatches[LEGEND_ENTRIES_MAXIMUM];
     const char *notes[LEGEND_NOTES];
     for (size_t i = 0; i < legend->entry_count; i++) {
@@ -76,13 +76,17 @@ static void draw_legend(const Window *window, const Legend *legend, const SDL_Re
                        .notes = notes,
                        .note_count = (int)legend->note_count};
     float gap = READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size();
-    GuiPoint corner = {(float)(is_right ? area->x + area->w : area->x),
-                       (float)(area->y + area->h) - gap};
-    gui_legend(&drawn, corner, (float)area->h - gap, is_right);
+    const GuiLegendPlace place = {.corner = {(float)(is_right ? area->x + area->w : area->x),
+                                             (float)(area->y + area->h) - gap},
+                                  .highest = (float)area->h - gap,
+                                  .is_right = is_right,
+                                  .taken = window->hud_rects,
+                                  .taken_count = WINDOW_VIEWPORTS};
+    return gui_legend(is_right ? "legend right" : "legend left", &drawn, &place);
 }
 
 /** Shows the legend of each picture, or that of their difference. */
-static void show_legends(const Window *window) {
+static void show_legends(Window *window) {
     SDL_Rect area = window_to_units(window, window_area(window));
     bool is_difference = is_difference_shown(window);
     size_t count = is_difference ? 1 : window_viewport_count(window);
@@ -97,7 +101,7 @@ static void show_legends(const Window *window) {
                                  .progress = renderer_progress(viewport->renderer)};
         legend_write(&content, &legend);
         if (legend.title[0] != '\0') {
-            draw_legend(window, &legend, &area, count == 1 || i == 1);
+            window->legend_rects[i] = draw_legend(window, &legend, &area, count == 1 || i == 1);
         }
     }
 }
@@ -169,7 +173,10 @@ static void show_magnifier(const Window *window) {
     GuiPoint point = {(float)(picture.x + (pixel->x + 0.5) / viewport->width * picture.w),
                       (float)(picture.y + (pixel->y + 0.5) / viewport->height * picture.h)};
     gui_ring(point, MAGNIFIED_RADIUS * gui_text_size());
-    gui_pixels(&pixels, point, window->toolbar.is_folded ? 0 : window->toolbar.height);
+    char text[READOUT_SIZE];
+    pixel_readout_write(&readout, text);
+    SDL_Rect area = window_to_units(window, window_area(window));
+    gui_pixels(&pixels, point, (float)area.y, (float)(area.y + area.h) - gui_readout_height(text));
 }
 
 void window_follow_mouse(Window *window) {
@@ -194,7 +201,7 @@ void window_show_readout(const Window *window) {
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     pixel_readout_write(&readout, text);
     size_t side = is_right_side(window, pixel.x) ? 1 : 0;
-    gui_readout(text, readout.readings[side].rgb, (GuiPoint){0, (float)height});
+    gui_readout("readout", text, readout.readings[side].rgb, (GuiPoint){0, (float)height});
 }
 
 /** Shows the chart of settings, if it is open. */
@@ -206,7 +213,8 @@ static void show_chart(const Window *window) {
     }
 }
 
-void window_show_values(const Window *window) {
+void window_show_values(Window *window) {
+    memset(window->legend_rects, 0, sizeof window->legend_rects);
     if (is_picture_shown(window)) {
         show_all_rings(window);
         show_legends(window);

@@ -5,8 +5,8 @@
  * A page has no processes. It confines everything itself: what a file does wrong can reach nothing
  * outside. So a task runs in the thread of its caller. What the system's limits do for a process is
  * done here: #worker_job_check leaves a task at its deadline, and the memory of
- * #worker_job_resize ends with its job. It stands in for worker_process.c, worker_main.c and
- * worker_sandbox.c of src/assets/process.
+ * #worker_job_resize ends with its job. It stands in for worker_process.c, worker_main.c,
+ * worker_sandbox.c and worker_filter.c of src/assets/process.
  */
 #include "assets/process/worker_clock.h"
 #include "assets/process/worker_main.h"

@@ -43,8 +43,9 @@ static void counted_run(SdfVm *m, const SdfInstruction *code) {
 static void steps_print(const char *way, double relaxation, double degrees) {
     const double eps = 1e-4, angle = degrees * M_PI / 180;
     // A sphere far away makes the field's box as high as the ray's origin.
-    Sdf *ground = moved(single("box", (double[]){4096, 16, 4096}), 0, -8, 0);
-    Sdf *both = joined(SDF_COMBINE_UNION, ground, moved(single("sphere", NULL), -1900, 1, 0), 0);
+    Sdf *ground = translate_sdf(make_sdf("box", (double[]){4096, 16, 4096}), 0, -8, 0);
+    Sdf *both = join_sdfs(SDF_COMBINE_UNION, ground,
+                          translate_sdf(make_sdf("sphere", NULL), -1900, 1, 0), 0);
     SdfInstruction *codes = calloc((size_t)both->node_count, sizeof *codes);
     StepLimitCounter step_limit = {0};
     SphereTracer sphere_tracer = {.program = codes,
@@ -179,8 +180,9 @@ static void normals_print(const SampledSurface *s, const char *way,
 static void place_points(SampledSurface *s, double ring) {
     uint64_t seed = 1;
     for (int i = 0; i < POINTS; i++) {
-        double turn = 2 * M_PI * random_share(&seed), around = 2 * M_PI * random_share(&seed);
-        double up = ring > 0 ? sin(around) : 2 * random_share(&seed) - 1;
+        double turn = 2 * M_PI * random_unit_double(&seed),
+               around = 2 * M_PI * random_unit_double(&seed);
+        double up = ring > 0 ? sin(around) : 2 * random_unit_double(&seed) - 1;
         double across = ring > 0 ? cos(around) : sqrt(1 - up * up), radius = ring > 0 ? 0.25 : 1;
         double *n = s->n[i];
         n[0] = across * cos(turn);
@@ -214,10 +216,10 @@ int main(int count, char **arguments) {
         steps_print_all();
     } else {
         printf("field,way,h,ns,error\n");
-        surface_print("ball", single("sphere", NULL), 0);
-        surface_print("ring", single("torus", (double[]){1, 0.25}), 1);
-        Sdf *near = joined(SDF_COMBINE_SMOOTH_UNION, single("torus", (double[]){1, 0.25}),
-                           moved(single("sphere", NULL), 0, 9, 0), 0.25);
+        surface_print("ball", make_sdf("sphere", NULL), 0);
+        surface_print("ring", make_sdf("torus", (double[]){1, 0.25}), 1);
+        Sdf *near = join_sdfs(SDF_COMBINE_SMOOTH_UNION, make_sdf("torus", (double[]){1, 0.25}),
+                              translate_sdf(make_sdf("sphere", NULL), 0, 9, 0), 0.25);
         surface_print("melted", near, 1);
     }
     return 0;

@@ -15,7 +15,7 @@ void __gcov_reset(void);
 // What --wrap calls in place of the functions, and one of the functions itself.
 ssize_t __real_send(int file, const void *bytes, size_t size, int flags);
 ssize_t __wrap_send(int file, const void *bytes, size_t size, int flags);
-bool __wrap_worker_sandbox_filter(void);
+bool __wrap_worker_filter_install(void);
 void __wrap_worker_sandbox_limit(size_t bytes, double seconds);
 
 /** Writes the counters before the header of a reply. See send. */
@@ -30,7 +30,7 @@ ssize_t __wrap_send(int file, const void *bytes, size_t size, int flags) {
 }
 
 /** Leaves out the filter of system calls, under which no counters can be written. */
-bool __wrap_worker_sandbox_filter(void) {
+bool __wrap_worker_filter_install(void) {
     return true;
 }
 

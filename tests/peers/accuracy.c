@@ -60,23 +60,23 @@ typedef struct AccuracyRun {
 // --- quad precision ------------------------------------------------------------------------------
 
 /** @return Three floats as quads. */
-static Quad3 vec3q_from_floats(const float v[3]) {
-    return (Quad3){(Quadruple)v[0], (Quadruple)v[1], (Quadruple)v[2]};
+static Vec3q vec3q_from_floats(const float v[3]) {
+    return (Vec3q){(Quadruple)v[0], (Quadruple)v[1], (Quadruple)v[2]};
 }
 
 /** @return A vector as quads. */
-static Quad3 vec3q_from_vec3d(Vec3d v) {
-    return (Quad3){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
+static Vec3q vec3q_from_vec3d(Vec3d v) {
+    return (Vec3q){(Quadruple)v.x, (Quadruple)v.y, (Quadruple)v.z};
 }
 
 /** Computes the expected hit of a ray and a sphere. */
 static void sphere_expected(AccuracyQuery *question, Vec3d center, double radius) {
-    Quad3 d = vec3q_from_floats(question->direction);
-    Quad3 to = quad3_subtract(vec3q_from_vec3d(center), vec3q_from_floats(question->origin));
-    Quadruple a = quad3_dot(d, d), b = quad3_dot(d, to), r = (Quadruple)radius;
-    Quad3 lateral = quad3_cross(d, to);
+    Vec3q d = vec3q_from_floats(question->direction);
+    Vec3q to = vec3q_subtract(vec3q_from_vec3d(center), vec3q_from_floats(question->origin));
+    Quadruple a = vec3q_dot(d, d), b = vec3q_dot(d, to), r = (Quadruple)radius;
+    Vec3q lateral = vec3q_cross(d, to);
     // The squared half chord, scaled. Rays beyond 98 % of the radius are near the edge.
-    Quadruple rest = a * r * r - quad3_dot(lateral, lateral), fraction = (Quadruple)0.0396;
+    Quadruple rest = a * r * r - vec3q_dot(lateral, lateral), fraction = (Quadruple)0.0396;
     question->is_hit = rest >= 0;
     question->is_near_edge = rest < fraction * a * r * r;
     question->distance = question->is_hit ? (b - quad_sqrt(rest)) / a : 0;
@@ -84,18 +84,18 @@ static void sphere_expected(AccuracyQuery *question, Vec3d center, double radius
 
 /** Computes the expected hit of a ray and a triangle. */
 static void triangle_expected(AccuracyQuery *question, const Vec3d corners[3]) {
-    Quad3 o = vec3q_from_floats(question->origin), d = vec3q_from_floats(question->direction),
+    Vec3q o = vec3q_from_floats(question->origin), d = vec3q_from_floats(question->direction),
           to[3];
     for (int i = 0; i < 3; i++) {
-        to[i] = quad3_subtract(vec3q_from_vec3d(corners[i]), o);
+        to[i] = vec3q_subtract(vec3q_from_vec3d(corners[i]), o);
     }
-    Quadruple u = quad3_dot(d, quad3_cross(to[1], to[2]));
-    Quadruple v = quad3_dot(d, quad3_cross(to[2], to[0]));
-    Quadruple w = quad3_dot(d, quad3_cross(to[0], to[1]));
-    Quad3 normal = quad3_cross(quad3_subtract(to[1], to[0]), quad3_subtract(to[2], to[0]));
+    Quadruple u = vec3q_dot(d, vec3q_cross(to[1], to[2]));
+    Quadruple v = vec3q_dot(d, vec3q_cross(to[2], to[0]));
+    Quadruple w = vec3q_dot(d, vec3q_cross(to[0], to[1]));
+    Vec3q normal = vec3q_cross(vec3q_subtract(to[1], to[0]), vec3q_subtract(to[2], to[0]));
     question->is_hit = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     question->is_near_edge = !question->is_hit;
-    question->distance = quad3_dot(to[0], normal) / quad3_dot(d, normal);
+    question->distance = vec3q_dot(to[0], normal) / vec3q_dot(d, normal);
 }
 
 // --- tracers -------------------------------------------------------------------------------------
@@ -105,7 +105,7 @@ static void query_dioptre(AccuracyRun *run, const Engine *engine, const Accuracy
     static RayQuery rays[BATCH];
     static int shapes[BATCH];
     static double distances[BATCH];
-    Tracer *tracer = prepare(engine, subject->scene);
+    Tracer *tracer = create_tracer(engine, subject->scene);
     for (size_t done = 0; done < RAYS; done += BATCH) {
         size_t count = RAYS - done < BATCH ? RAYS - done : BATCH;
         for (size_t i = 0; i < count; i++) {
@@ -114,12 +114,12 @@ static void query_dioptre(AccuracyRun *run, const Engine *engine, const Accuracy
                 rays[i].direction[axis] = (double)run->questions[done + i].direction[axis];
             }
         }
-        engine->nearest(tracer, count, rays, shapes, distances);
+        engine->closest_hits(tracer, count, rays, shapes, distances);
         for (size_t i = 0; i < count; i++) {
             run->answers[done + i] = (AccuracyAnswer){shapes[i] >= 0, distances[i]};
         }
     }
-    engine->release(tracer);
+    engine->destroy(tracer);
 }
 
 /** Traces the rays with Embree. */
@@ -210,7 +210,7 @@ static RTCScene embree_scene(AccuracyRun *run, RTCGeometry geometry) {
  * @param radius  Its radius, exact in float.
  */
 static AccuracyScene sphere_accuracy_scene(AccuracyRun *run, Vec3d center, double radius) {
-    AccuracyScene subject = {.scene = empty_scene()};
+    AccuracyScene subject = {.scene = create_empty_scene()};
     add_shape(subject.scene, "sphere", &(SphereParameters){center, radius});
     RTCGeometry geometry = rtcNewGeometry(run->device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
     float *sphere = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
@@ -227,9 +227,9 @@ static AccuracyScene sphere_accuracy_scene(AccuracyRun *run, Vec3d center, doubl
  * @return A mesh for all tracers, to be destroyed.
  * @param soup  Its triangles; corners exact in float.
  */
-static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const Triangles *soup) {
-    AccuracyScene subject = {.scene = empty_scene()};
-    add_triangles(subject.scene, soup, 2);
+static AccuracyScene triangles_accuracy_scene(AccuracyRun *run, const TriangleSoup *soup) {
+    AccuracyScene subject = {.scene = create_empty_scene()};
+    add_triangle_soup(subject.scene, soup, 2);
     RTCGeometry geometry = rtcNewGeometry(run->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     float *corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                              3 * sizeof *corners, soup->position_count);
@@ -261,14 +261,14 @@ static void aim_query(AccuracyQuery *question, Vec3d from, Vec3d to) {
 
 /** @return A random unit vector. */
 static Vec3d random_unit_vector(uint64_t *state) {
-    double height = 2 * random_share(state) - 1, turn = 2 * M_PI * random_share(state);
+    double height = 2 * random_unit_double(state) - 1, turn = 2 * M_PI * random_unit_double(state);
     double across = sqrt(1 - height * height);
     return (Vec3d){across * cos(turn), height, across * sin(turn)};
 }
 
 /** @return A vector rounded to float. */
 static Vec3d vector_as_float(Vec3d v) {
-    return (Vec3d){as_float(v.x), as_float(v.y), as_float(v.z)};
+    return (Vec3d){round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)};
 }
 
 // --- test cases ----------------------------------------------------------------------------------
@@ -282,7 +282,7 @@ static void measure_sphere(AccuracyRun *run, Vec3d center, double distance, cons
     for (size_t i = 0; i < RAYS; i++) {
         Vec3d out = random_unit_vector(&run->random);
         Vec3d lateral = vec3d_cross(out, random_unit_vector(&run->random));
-        double by = 1.02 * sqrt(random_share(&run->random));
+        double by = 1.02 * sqrt(random_unit_double(&run->random));
         Vec3d eye = vec3d_add(center, vec3d_scale(out, distance));
         Vec3d aim = vec3d_add(center, vec3d_scale(vec3d_normalize(lateral), by));
         aim_query(&run->questions[i], vector_as_float(eye), aim);
@@ -315,7 +315,7 @@ static void measure_spheres(AccuracyRun *run) {
 static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     char name[64];
     double angle = degrees * M_PI / 180;
-    Triangles sliver = triangles_create(1);
+    TriangleSoup sliver = triangle_soup_create(1);
     const Vec3d corners[3] = {vector_as_float((Vec3d){-0.51, 0.13, 0.07}),
                               vector_as_float((Vec3d){0.49, 0.21, 0.11}),
                               vector_as_float((Vec3d){0.02, 0.15 + 1 / aspect, 0.1})};
@@ -325,7 +325,8 @@ static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     Vec3d normal = vec3d_normalize(vec3d_cross(along, side));
     Vec3d out = vec3d_add(vec3d_scale(along, cos(angle)), vec3d_scale(normal, sin(angle)));
     for (size_t i = 0; i < RAYS; i++) {
-        double u = random_share(&run->random), v = 1.1 * random_share(&run->random) - 0.05;
+        double u = random_unit_double(&run->random),
+               v = 1.1 * random_unit_double(&run->random) - 0.05;
         Vec3d base = vec3d_scale(vec3d_subtract(corners[1], corners[0]), u * (1 - v));
         Vec3d aim = vec3d_add(vec3d_add(corners[0], base), vec3d_scale(side, v));
         aim_query(&run->questions[i], vector_as_float(vec3d_add(aim, vec3d_scale(out, 3))), aim);
@@ -335,7 +336,7 @@ static void measure_sliver(AccuracyRun *run, double aspect, double degrees) {
     snprintf(name, sizeof name, "1 : %g, %g degrees", aspect, degrees);
     accuracy_run(run, &subject, name);
     accuracy_scene_destroy(&subject);
-    triangles_release(&sliver);
+    triangle_soup_destroy(&sliver);
 }
 
 /** Measures slivers. */
@@ -353,17 +354,17 @@ static void measure_slivers(AccuracyRun *run) {
  * Measures a closed mesh: rays from inside, which all hit it.
  * @param at_corner Whether rays go to vertices instead of edges.
  */
-static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner,
+static void measure_mesh(AccuracyRun *run, const TriangleSoup *mesh, bool at_corner,
                          const char *name) {
     for (size_t i = 0; i < RAYS; i++) {
         uint64_t *state = &run->random;
-        size_t face = (size_t)((double)mesh->triangle_count * random_share(state));
-        size_t from = (size_t)(3 * random_share(state));
-        Vec3d corner = triangles_corner(mesh, face, from);
-        Vec3d edge = vec3d_subtract(triangles_corner(mesh, face, (from + 1) % 3), corner);
+        size_t face = (size_t)((double)mesh->triangle_count * random_unit_double(state));
+        size_t from = (size_t)(3 * random_unit_double(state));
+        Vec3d corner = triangle_soup_vertex(mesh, face, from);
+        Vec3d edge = vec3d_subtract(triangle_soup_vertex(mesh, face, (from + 1) % 3), corner);
         Vec3d eye = {random_float(state, -1, 1), random_float(state, -1, 1),
                      random_float(state, -1, 1)};
-        double fraction = at_corner ? 0 : random_share(state);
+        double fraction = at_corner ? 0 : random_unit_double(state);
         AccuracyQuery *question = &run->questions[i];
         aim_query(question, eye, vec3d_add(corner, vec3d_scale(edge, fraction)));
         // The distance is not compared: rounding decides which triangle is hit.
@@ -376,11 +377,11 @@ static void measure_mesh(AccuracyRun *run, const Triangles *mesh, bool at_corner
 
 /** Measures closed meshes. */
 static void measure_meshes(AccuracyRun *run) {
-    Triangles mesh = icosphere(3);
+    TriangleSoup mesh = icosphere_triangles(3);
     print_header(run, "Inside a closed mesh of 1280 triangles, at its");
     measure_mesh(run, &mesh, false, "edges");
     measure_mesh(run, &mesh, true, "corners");
-    triangles_release(&mesh);
+    triangle_soup_destroy(&mesh);
 }
 
 /** Runs all cases. @return 0 */

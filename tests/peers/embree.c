@@ -106,11 +106,11 @@ static double build_dioptre(BenchmarkScene *bench) {
     const TraceSettings settings = {.depth = 1, .offset = OFFSET_BOUND};
     Error error = {0};
     if (bench->tracer) {
-        bench->engine->release(bench->tracer);
+        bench->engine->destroy(bench->tracer);
     }
     size_t before = bytes_held();
     double start = seconds();
-    bench->tracer = bench->engine->prepare(bench->scene, &settings, &error);
+    bench->tracer = bench->engine->create_tracer(bench->scene, &settings, &error);
     double end = seconds();
     bench->bytes = bytes_held() - before;
     return bench->tracer ? end - start : (fail(error.message), 0);
@@ -132,7 +132,7 @@ static double build_embree(BenchmarkScene *bench) {
     if (bench->embree) {
         rtcReleaseScene(bench->embree);
     }
-    bench->their_bytes = 0;
+    bench->embree_bytes = 0;
     bench->embree = rtcNewScene(bench->device);
     rtcSetSceneFlags(bench->embree, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = geometry_make(bench);
@@ -151,7 +151,7 @@ static double build_embree(BenchmarkScene *bench) {
  */
 static bool count_embree_memory(void *context, ssize_t bytes, bool is_after) {
     (void)is_after;
-    ((BenchmarkScene *)context)->their_bytes += bytes;
+    ((BenchmarkScene *)context)->embree_bytes += bytes;
     return true;
 }
 
@@ -228,7 +228,7 @@ static void aim_camera(BenchmarkScene *bench, double distance) {
     double away = distance * vec3d_length(vec3d_subtract(high, low)) / 2;
     Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
     camera->position = vec3d_add(middle, vec3d_scale(camera->direction, -away));
-    bench->engine->look(bench->tracer, bench->scene, SIZE, SIZE);
+    bench->engine->set_view(bench->tracer, bench->scene, SIZE, SIZE);
 }
 
 /** Makes the rays of all pixels, tile by tile, in the order of our engine. */
@@ -297,8 +297,8 @@ static double trace_dioptre(BenchmarkScene *bench) {
                           .columns = TILE,
                           .rows = TILE,
                           .stride = 1};
-        bench->engine->cast(bench->tracer, &tile, answers->shapes + (size_t)i * TILE_RAYS,
-                            answers->distances + (size_t)i * TILE_RAYS);
+        bench->engine->trace_primary(bench->tracer, &tile, answers->shapes + (size_t)i * TILE_RAYS,
+                                     answers->distances + (size_t)i * TILE_RAYS);
     }
     return seconds() - start;
 }
@@ -334,7 +334,7 @@ static double trace_embree(BenchmarkScene *bench) {
             packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
         rtcIntersect8(valid, bench->embree, &context, &packet);
-        memcpy(bench->answers.their_distances + p * PACKET, packet.ray.tfar,
+        memcpy(bench->answers.embree_distances + p * PACKET, packet.ray.tfar,
                sizeof packet.ray.tfar);
     }
     return seconds() - start;
@@ -343,8 +343,8 @@ static double trace_embree(BenchmarkScene *bench) {
 /** Finds the nearest hits of single rays with our engine. @return Seconds. */
 static double closest_hits_dioptre(BenchmarkScene *bench) {
     double start = seconds();
-    bench->engine->nearest(bench->tracer, RAYS, bench->rays.plain, bench->answers.shapes,
-                           bench->answers.distances);
+    bench->engine->closest_hits(bench->tracer, RAYS, bench->rays.plain, bench->answers.shapes,
+                                bench->answers.distances);
     return seconds() - start;
 }
 
@@ -359,7 +359,7 @@ static double closest_hits_embree(BenchmarkScene *bench) {
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(bench->embree, &context, &query);
-        bench->answers.their_distances[i] = query.ray.tfar;
+        bench->answers.embree_distances[i] = query.ray.tfar;
     }
     return seconds() - start;
 }
@@ -367,7 +367,7 @@ static double closest_hits_embree(BenchmarkScene *bench) {
 /** Tests single rays for occlusion with our engine. @return Seconds. */
 static double occluded_dioptre(BenchmarkScene *bench) {
     double start = seconds();
-    bench->engine->shadowed(bench->tracer, RAYS, bench->rays.plain, bench->answers.shadowed);
+    bench->engine->occluded(bench->tracer, RAYS, bench->rays.plain, bench->answers.occluded);
     return seconds() - start;
 }
 
@@ -379,7 +379,7 @@ static double occluded_embree(BenchmarkScene *bench) {
     for (size_t i = 0; i < RAYS; i++) {
         struct RTCRay ray = bench->rays.single[i];
         rtcOccluded1(bench->embree, &context, &ray);
-        bench->answers.their_shadowed[i] = ray.tfar < 0;
+        bench->answers.embree_occluded[i] = ray.tfar < 0;
     }
     return seconds() - start;
 }
@@ -435,10 +435,10 @@ static void decide_by_wider_engine(const BenchmarkScene *bench, const BenchmarkS
                                    size_t i, double bound, Agreement *agreement) {
     int shape;
     double truth;
-    exact->engine->nearest(exact->tracer, 1, &bench->rays.plain[i], &shape, &truth);
-    agreement->differ++;
-    agreement->ours += !is_same(bench->answers.distances[i], truth, bound);
-    agreement->theirs += !is_same((double)bench->answers.their_distances[i], truth, bound);
+    exact->engine->closest_hits(exact->tracer, 1, &bench->rays.plain[i], &shape, &truth);
+    agreement->different++;
+    agreement->dioptre_only += !is_same(bench->answers.distances[i], truth, bound);
+    agreement->embree_only += !is_same((double)bench->answers.embree_distances[i], truth, bound);
 }
 
 /**
@@ -450,7 +450,7 @@ static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkS
     for (size_t i = 0; i < RAYS; i++) {
         double dioptre = bench->answers.distances[i];
         double bound = distance_bound(bench, i, dioptre);
-        if (!is_same(dioptre, (double)bench->answers.their_distances[i], 2 * bound)) {
+        if (!is_same(dioptre, (double)bench->answers.embree_distances[i], 2 * bound)) {
             decide_by_wider_engine(bench, exact, i, bound, &agreement);
         }
     }
@@ -461,12 +461,13 @@ static Agreement compare_distances(const BenchmarkScene *bench, const BenchmarkS
 static Agreement compare_shadows(const BenchmarkScene *bench, const BenchmarkScene *exact) {
     Agreement agreement = {0};
     for (size_t i = 0; i < RAYS; i++) {
-        bool truth, dioptre = bench->answers.shadowed[i], embree = bench->answers.their_shadowed[i];
+        bool truth, dioptre = bench->answers.occluded[i],
+                    embree = bench->answers.embree_occluded[i];
         if (dioptre != embree) {
-            exact->engine->shadowed(exact->tracer, 1, &bench->rays.plain[i], &truth);
-            agreement.differ++;
-            agreement.ours += dioptre != truth;
-            agreement.theirs += embree != truth;
+            exact->engine->occluded(exact->tracer, 1, &bench->rays.plain[i], &truth);
+            agreement.different++;
+            agreement.dioptre_only += dioptre != truth;
+            agreement.embree_only += embree != truth;
         }
     }
     return agreement;
@@ -485,7 +486,7 @@ typedef struct BenchmarkCase {
 } BenchmarkCase;
 
 /** All benchmark cases. */
-static const BenchmarkCase bouts[] = {
+static const BenchmarkCase benchmark_cases[] = {
     {"build", NULL, build_dioptre, build_embree, NULL},
     {"primary", rays_of_whole, trace_dioptre, trace_embree, compare_distances},
     {"close", rays_of_close, trace_dioptre, trace_embree, compare_distances},
@@ -502,13 +503,13 @@ static int compare_doubles(const void *a, const void *b) {
 static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *benchmark) {
     double dioptre = HUGE_VAL, embree = HUGE_VAL, ratios[ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
-        double our_time = benchmark->ours(bench), their_time = benchmark->theirs(bench);
+        double our_time = benchmark->run_dioptre(bench), their_time = benchmark->run_embree(bench);
         dioptre = fmin(dioptre, our_time);
         embree = fmin(embree, their_time);
         ratios[round] = their_time / our_time;
     }
     qsort(ratios, ROUNDS, sizeof *ratios, compare_doubles);
-    bool has_rays = benchmark->ready != NULL;
+    bool has_rays = benchmark->prepare != NULL;
     printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", benchmark->name,
            has_rays ? 1e-6 * RAYS / dioptre : 1e3 * dioptre,
            has_rays ? 1e-6 * RAYS / embree : 1e3 * embree, embree / dioptre, ratios[ROUNDS / 2],
@@ -518,20 +519,20 @@ static void benchmark_case_run(BenchmarkScene *bench, const BenchmarkCase *bench
 
 /** Runs all cases and prints the results. @param exact A more precise engine and its tracer. */
 static void benchmark_run_all(BenchmarkScene *bench, const BenchmarkScene *exact) {
-    for (size_t i = 0; i < sizeof bouts / sizeof *bouts; i++) {
-        if (bouts[i].ready) {
-            bouts[i].ready(bench);
+    for (size_t i = 0; i < sizeof benchmark_cases / sizeof *benchmark_cases; i++) {
+        if (benchmark_cases[i].prepare) {
+            benchmark_cases[i].prepare(bench);
         }
-        benchmark_case_run(bench, &bouts[i]);
-        if (bouts[i].compare) {
-            Agreement agreement = bouts[i].compare(bench, exact);
-            printf("%s-differ %zu %zu %zu\n", bouts[i].name, agreement.differ, agreement.ours,
-                   agreement.theirs);
+        benchmark_case_run(bench, &benchmark_cases[i]);
+        if (benchmark_cases[i].compare) {
+            Agreement agreement = benchmark_cases[i].compare(bench, exact);
+            printf("%s-differ %zu %zu %zu\n", benchmark_cases[i].name, agreement.different,
+                   agreement.dioptre_only, agreement.embree_only);
         }
     }
     double triangles = (double)bench->scene->meshes[0].mesh->triangle_count;
     double dioptre = (double)bench->bytes / triangles,
-           embree = (double)bench->their_bytes / triangles;
+           embree = (double)bench->embree_bytes / triangles;
     printf("%-14s %9.2f %9.2f %7.2f %7.2f  %s\n", "memory", dioptre, embree, embree / dioptre,
            embree / dioptre, "bytes a triangle");
 }
@@ -579,14 +580,14 @@ static void benchmark_scene_init(BenchmarkScene *bench, Scene *scene, const char
     RayResults *answers = &bench->answers;
     answers->shapes = allocate_or_exit(RAYS, sizeof *answers->shapes);
     answers->distances = allocate_or_exit(RAYS, sizeof *answers->distances);
-    answers->their_distances = allocate_or_exit(RAYS, sizeof *answers->their_distances);
-    answers->shadowed = allocate_or_exit(RAYS, sizeof *answers->shadowed);
-    answers->their_shadowed = allocate_or_exit(RAYS, sizeof *answers->their_shadowed);
+    answers->embree_distances = allocate_or_exit(RAYS, sizeof *answers->embree_distances);
+    answers->occluded = allocate_or_exit(RAYS, sizeof *answers->occluded);
+    answers->embree_occluded = allocate_or_exit(RAYS, sizeof *answers->embree_occluded);
 }
 
 /** Releases all of a benchmark but the scene. */
 static void benchmark_scene_deinit(BenchmarkScene *bench) {
-    bench->engine->release(bench->tracer);
+    bench->engine->destroy(bench->tracer);
     rtcReleaseScene(bench->embree);
     rtcReleaseDevice(bench->device);
     free(bench->positions);
@@ -595,9 +596,9 @@ static void benchmark_scene_deinit(BenchmarkScene *bench) {
     free(bench->rays.directions);
     free(bench->answers.shapes);
     free(bench->answers.distances);
-    free(bench->answers.their_distances);
-    free(bench->answers.shadowed);
-    free(bench->answers.their_shadowed);
+    free(bench->answers.embree_distances);
+    free(bench->answers.occluded);
+    free(bench->answers.embree_occluded);
 }
 
 /**
@@ -614,7 +615,7 @@ int main(int count, char **arguments) {
     benchmark_scene_init(&bench, scene, arguments[3]);
     build_dioptre(&exact);
     benchmark_run_all(&bench, &exact);
-    exact.engine->release(exact.tracer);
+    exact.engine->destroy(exact.tracer);
     benchmark_scene_deinit(&bench);
     scene_destroy(scene);
     return EXIT_SUCCESS;

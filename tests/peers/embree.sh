@@ -10,6 +10,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 . tests/peers/common.sh
+. tests/peers/figures.sh
 MODELS=${MODELS:-}
 
 # The bars: how many times Embree's rate of rays, and how many times its time and memory fit in ours.
@@ -53,6 +54,7 @@ measure() {
         printf '%-14s %9s %9s %7s %7s\n' "" "$engine" Embree times median
         grep -v -e -differ "$work/figures"
         for rays in primary close random shadow; do check_answers $rays; done
+        keep_figures meshes "$model,$engine,$(field primary 5),$(field random 5),$(field shadow 5),$(field build 5),$(field memory 2),$(field memory 3)"
         if [ "$engine" = "$BEST" ] && [ "$model" != spot ]; then check_bars; fi
     done
 }
@@ -71,6 +73,7 @@ measure_if_there() {
 }
 
 need "$BUILD/peer-embree" "make peers"
+begin_figures meshes mesh,engine,primary,random,shadow,build,bytes,embree_bytes
 measure scenes/models/spot.obj
 measure_if_there stanford-bunny
 measure_if_there dragon-871k

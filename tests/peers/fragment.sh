@@ -12,6 +12,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 . tests/peers/common.sh
+. tests/peers/figures.sh
 ROUNDS=${ROUNDS:-5}
 MAPS=${MAPS:-}
 FRAMES=8 # Of ours a run, and of Mesa's: the system counts hundredths of a second.
@@ -76,6 +77,7 @@ report_pictures() {
     fi
     "$work/edges" "$work/ours.bmp" "$work/$1-mesa.bmp" >"$work/edges.txt"
     read -r pixels off elsewhere <"$work/edges.txt"
+    keep_figures marching "$1,$(median "$work/$1.f32x8"),$([ "$BEST" = f32x8 ] || median "$work/$1.$BEST"),$(median "$work/$1.mesa"),$pixels,$off"
     bar "$1: pixels alike" "$off of $pixels are off by more than one step, $elsewhere of them on no edge; at most $(
         awk "BEGIN { print 100 * (1 - $ALIKE_BAR) }") % may be" "1 - $off / $pixels >= $ALIKE_BAR"
 }
@@ -108,6 +110,7 @@ for scene in $SCENES; do
     *) report_scene "$scene" ;;
     esac
 done
+begin_figures marching scene,f32x8_ms,f32x16_ms,mesa_ms,pixels,off
 for scene in $TWINS; do report_pictures "$scene"; done
 for scene in menger-sponge turned-frame; do
     echo "      $scene: $BEST is $(times_mesa $scene) times as fast as Mesa"

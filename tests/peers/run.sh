@@ -13,6 +13,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 . tests/peers/common.sh
+. tests/peers/figures.sh
 ROUNDS=${ROUNDS:-5}
 MAPS=${MAPS:-}
 SIZE=800x600
@@ -137,6 +138,7 @@ report_peer() {
         awk "BEGIN { printf \" %.1f times $engine\", $theirs / $(median "$work/$1.$engine") }"
     done
     echo
+    keep_figures speed "$1,$2,$theirs,$(median "$work/$1.f32x8"),$([ "$BEST" = f32x8 ] || median "$work/$1.$BEST")"
     ratio=$(awk "BEGIN { printf \"%.1f\", $theirs / $(median "$work/$1.$BEST") }")
     bar "$BEST faster than $3" "$ratio times, at least $4" "$ratio >= $4"
 }
@@ -163,6 +165,7 @@ report_difference() {
     fi
     read -r pixels off elsewhere <"$work/edges.txt"
     off_share=$(number share_off "$work/compare.json")
+    keep_figures pictures "$1,$pixels,$off,$elsewhere"
     echo "picture against POV-Ray's: $off of $pixels pixels are off by more than one step;" \
         "rmse $(number rmse "$work/compare.json"), psnr $(number psnr "$work/compare.json") dB"
     bar "pixels alike" "$(awk "BEGIN { printf \"%.4f\", 100 * (1 - $off_share) }") %, at least $(
@@ -195,6 +198,8 @@ make_edges
 # Tachyon lets light through, but does not bend it: so for it our glass does not, either.
 sed 's/ior = 1.5/ior = 1/' tests/peers/glass-box.lua >"$work/clear-box.lua"
 measure_speed
+begin_figures speed scene,peer,peer_ms,f32x8_ms,f32x16_ms
+begin_figures pictures scene,pixels,off,off_on_no_edge
 echo "$SIZE, one ray a pixel, one thread; ms of the processor a picture, medians of $ROUNDS runs"
 report scenes/box.lua box 5 $POVRAY_BAR $ELSEWHERE_BAR "mirrors"
 report_peer box tachyon Tachyon $TACHYON_BAR

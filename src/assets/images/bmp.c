@@ -38,6 +38,8 @@ enum {
     BI_BITFIELDS = 3 /**< As the masks give; only the same order is supported. */
 };
 
+/** Largest header from #AT_HEADER_SIZE on: version 5, the last one. */
+enum { HEADER_SIZE_MAXIMUM = 124 };
 /** Bytes per pixel in a #Picture. */
 enum { CHANNELS = 3 };
 /** Largest number of bytes per pixel in a file. */
@@ -164,7 +166,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
     uint8_t bytes[HEADER_SIZE + MASKS_SIZE] = {0};
     size_t size = fread(bytes, 1, sizeof bytes, stream);
     if (ferror(stream)) {
-        return error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        return error_set_errno(error, errno);
     }
     if (size < 2 || memcmp(bytes, "BM", 2) != 0) {
         return error_set(error, STATUS_SCENE, "it is no BMP file");
@@ -173,7 +175,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
         return error_set(error, STATUS_SCENE, "it ends within its header");
     }
     uint32_t header_size = load_u32(bytes + AT_HEADER_SIZE);
-    if (header_size < HEADER_SIZE - AT_HEADER_SIZE) {
+    if (header_size < HEADER_SIZE - AT_HEADER_SIZE || header_size > HEADER_SIZE_MAXIMUM) {
         return error_set(error, STATUS_SCENE, "its header of %u bytes is of a kind not known here",
                          header_size);
     }
@@ -277,7 +279,7 @@ static FILE *open_stream(int file, struct stat *info, Error *error) {
     FILE *stream =
         descriptor >= 0 && fstat(descriptor, info) == 0 ? fdopen(descriptor, "rb") : NULL;
     if (!stream) {
-        error_set(error, STATUS_SCENE, "%s", error_errno_text(errno));
+        error_set_errno(error, errno);
         if (descriptor >= 0) {
             close(descriptor);
         }

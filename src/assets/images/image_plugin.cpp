@@ -92,14 +92,22 @@ std::string without_name(std::string words) {
 }
 
 /**
- * Tells OpenImageIO to start no threads and to load no plugins. Threads would be missing, and be
- * waited for in vain, in the child process that reads pictures.
+ * Tells OpenImageIO to use no threads and to load no plugins.
+ * @return true.
  */
-void configure_library() {
+bool configure_library() {
+    // Starts a thread for each other core, and ends them at once.
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1); // None at all; 0 would be one a core.
     OIIO::attribute("plugin_searchpath", "");
+    return true;
 }
+
+/**
+ * Whether OpenImageIO is configured: when this module is loaded, as a worker can start no threads
+ * once it reads a file. Where the system has none left, the worker ends here.
+ */
+[[maybe_unused]] const bool is_configured = configure_library();
 
 /**
  * @return What is said of a file to be written.
@@ -164,7 +172,6 @@ void add_comments(const ImagePluginSource &source, std::vector<unsigned char> &b
  */
 void encode_into(const char *format, const ImagePluginSource &source,
                  std::vector<unsigned char> &bytes) {
-    configure_library();
     std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
         throw_error(OIIO::geterror());
@@ -284,7 +291,6 @@ namespace {
  * @return The open file.
  */
 std::unique_ptr<ImageReader> open_checked(int file, const char *format) {
-    configure_library();
     auto reader = std::make_unique<ImageReader>(file);
     reader->input = OIIO::ImageInput::create(format);
     if (!reader->input) {

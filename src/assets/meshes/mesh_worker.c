@@ -11,7 +11,6 @@
 #include "base/language.h"
 
 #include <errno.h>
-#include <libintl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -38,8 +37,11 @@ static char *read_bytes(int file, size_t size, Error *error) {
         if (count > 0) {
             done += (size_t)count;
         } else if (count == 0 || errno != EINTR) {
-            error_set(error, STATUS_SCENE, "%s",
-                      count ? error_errno_text(errno) : gettext("it has become shorter"));
+            if (count) {
+                error_set_errno(error, errno);
+            } else {
+                error_set(error, STATUS_SCENE, "it has become shorter");
+            }
             free(bytes);
             bytes = NULL;
         }

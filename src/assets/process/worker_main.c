@@ -4,6 +4,7 @@
  */
 #include "assets/process/worker_main.h"
 
+#include "assets/process/worker_filter.h"
 #include "assets/process/worker_protocol.h"
 #include "assets/process/worker_sandbox.h"
 #include "base/language.h"
@@ -204,7 +205,7 @@ WorkerAnswer worker_job_ask(const void *question, size_t size) {
 void worker_enter_sandbox(size_t bytes) {
     static bool is_reported;
     worker_sandbox_limit(bytes, current_job ? current_job->time_limit : HUGE_VAL);
-    if (!worker_sandbox_filter() && !is_reported) {
+    if (!worker_filter_install() && !is_reported) {
         is_reported = true;
         send_bytes(&(WorkerFrame){.kind = WORKER_FRAME_UNFILTERED}, sizeof(WorkerFrame));
     }

@@ -10,7 +10,6 @@
 #include "base/language.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <libintl.h>
 #include <limits.h>
 #include <math.h>
@@ -140,6 +139,7 @@ typedef struct Exchange {
     double fraction;              /**< Progress, 0 to 1. */
     bool is_ready;                /**< Whether the worker is ready. */
     bool is_late;                 /**< Whether the deadline has passed, or the call is stopped. */
+    int failure;                  /**< errno of a failure of this process; 0: none. */
 } Exchange;
 
 /** @return Whether the stop flag of the call is set. */
@@ -202,7 +202,13 @@ static bool receive(Exchange *exchange, void *bytes, size_t size) {
     return true;
 }
 
-/** Sends bytes. @return false if the worker has ended, or is late. */
+/** Notes why nothing can be sent, unless the worker has ended. @return false, always. */
+static bool note_failure(Exchange *exchange, int reason) {
+    exchange->failure = reason == EPIPE || reason == ECONNRESET ? 0 : reason;
+    return false;
+}
+
+/** Sends bytes. @return false if the worker has ended, or is late, or nothing can be sent. */
 static bool send_bytes(Exchange *exchange, const void *bytes, size_t size) {
     const char *next = bytes;
     while (size > 0) {
@@ -211,7 +217,7 @@ static bool send_bytes(Exchange *exchange, const void *bytes, size_t size) {
         }
         ssize_t count = send(exchange->process->socket, next, size, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (count < 0 && !is_temporary(errno)) {
-            return false;
+            return note_failure(exchange, errno);
         }
         next += count > 0 ? count : 0;
         size -= count > 0 ? (size_t)count : 0;
@@ -239,7 +245,7 @@ static bool send_header(Exchange *exchange, const struct msghdr *message) {
         }
         count = sendmsg(exchange->process->socket, message, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (count < 0 && !is_temporary(errno)) {
-            return false;
+            return note_failure(exchange, errno);
         }
     }
     return count == sizeof(WorkerRequestHeader);
@@ -297,6 +303,7 @@ static bool receive_block(Exchange *exchange, const WorkerFrame *frame, WorkerRe
                               : mmap(NULL, frame->block_size, PROT_READ | PROT_WRITE,
                                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) {
+        exchange->failure = errno;
         return false;
     }
     bool is_received = receive(exchange, block, frame->block_size);
@@ -418,7 +425,10 @@ static WorkerReply converse(WorkerProcess *process, const WorkerCall *call, int 
     kill(process->pid, SIGKILL);
     int status = reap(process);
     reply = (WorkerReply){.end = WORKER_EXITED, .is_ready = exchange.is_ready, .seconds = seconds};
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    if (exchange.failure) {
+        reply.end = WORKER_CUT_OFF;
+        reply.detail = exchange.failure;
+    } else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
         reply.end = WORKER_TIMED_OUT; // At its limit of processor time.
     } else if (WIFSIGNALED(status)) {
         reply.end = WORKER_CRASHED;
@@ -467,7 +477,7 @@ bool worker_reply_is_interrupted(const WorkerReply *reply) {
 
 bool worker_reply_start_failure(const WorkerReply *reply, char reason[WORKER_REASON_SIZE]) {
     bool has_ended = reply->end == WORKER_CRASHED || reply->end == WORKER_EXITED;
-    if (reply->end == WORKER_NOT_STARTED) {
+    if (reply->end == WORKER_NOT_STARTED || reply->end == WORKER_CUT_OFF) {
         snprintf(reason, WORKER_REASON_SIZE, "%s", error_errno_text(reply->detail));
         return true;
     }

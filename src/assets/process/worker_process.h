@@ -28,6 +28,7 @@ typedef enum {
     WORKER_TIMED_OUT,  /**< Ended at the time limit, or by #WorkerMonitor.stop. */
     WORKER_CRASHED,    /**< The process died of a signal. */
     WORKER_EXITED,     /**< The process exited without a result. */
+    WORKER_CUT_OFF,    /**< This process could not send to it, or has no memory for its result. */
     WORKER_NOT_STARTED /**< No process could be started. */
 } WorkerEnd;
 
@@ -81,7 +82,8 @@ typedef struct WorkerCall {
 /** Reply of a worker. */
 typedef struct WorkerReply {
     WorkerEnd end; /**< How the call ended. */
-    int detail; /**< The signal after #WORKER_CRASHED, errno after #WORKER_NOT_STARTED, else 0. */
+    int detail;    /**< The signal after #WORKER_CRASHED, errno after #WORKER_CUT_OFF and
+                      #WORKER_NOT_STARTED, else 0. */
     bool is_ready; /**< Whether the worker had loaded its modules, see #worker_job_ready. */
     void *block;   /**< The block; NULL: none. To be unmapped with munmap if #WorkerCall.block is
                       NULL. */
@@ -112,8 +114,9 @@ bool worker_reply_is_interrupted(const WorkerReply *reply);
 enum { WORKER_REASON_SIZE = 256 };
 
 /**
- * Says why a worker did not get as far as the request: it could not be started, or died while it
- * loaded its modules, whose libraries abort without memory or threads. That is no fault of a file.
+ * Says why a worker did not get as far as the request, or its result as far as this process: it
+ * could not be started or reached, or died while it loaded its modules, whose libraries abort
+ * without memory or threads. That is no fault of a file.
  * @param reply        The reply.
  * @param[out] reason  The reason, translated.
  * @return false if it got further, or was interrupted.

@@ -122,6 +122,8 @@ static void shapes_partition(ShapeSet *set, BvhInput *input) {
             input->indices[input->count++] = (uint32_t)i;
         } else {
             size_t index = set->linear_count++;
+            // A single ray is tested against this box only: see single_ray_may_meet().
+            box = LANES == 1 && shape_exceeds_box(set->shapes[i]) ? aabbs_infinite() : box;
             aabb_set_lane(&set->linear_bounds[index / LANES], (int)(index % LANES), box);
             set->linear[index] = set->shapes[i];
         }

@@ -56,6 +56,10 @@ void shape_set_deinit(ShapeSet *set);
  *  there is none. */
 Aabbd shape_set_bounds(const ShapeSet *set);
 
+/** @return Whether rays within intervals may meet a shape; true where a tree would have to be
+ *  searched, and for engines of one lane, whose rays have no intervals. */
+bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals);
+
 /**
  * Finds the closest hits of a packet.
  * @param packet     The rays, at least one active.

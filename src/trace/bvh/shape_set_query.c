@@ -3,6 +3,7 @@
  * @brief Intersection of packets with the shapes of a scene.
  */
 #include "trace/bvh/shape_set.h"
+#include "trace/bvh/slab.h"
 
 /* --- shapes in the list ---------------------------------------------------------------------- */
 
@@ -12,7 +13,7 @@ typedef struct Candidates {
     real near;          /**< Lower bounds on the distances of the shapes. */
 } Candidates;
 
-/** @return The shapes of a block that a packet may meet. A packet of one ray tests every shape.
+/** @return The shapes of a block that a packet may meet; of a packet of one ray all.
  *  @param block Index in #ShapeSet.linear_bounds. */
 static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *intervals,
                                     size_t block) {
@@ -167,6 +168,59 @@ static void set_bvh_visit(const ShapeSet *set, const Packet *packet,
     }
 }
 
+/* --- one ray --------------------------------------------------------------------------------- */
+
+/** The intervals of a packet of one ray, which nothing reads. */
+static const PacketIntervals no_intervals;
+
+/** @return The planes of boxes in the order in which a packet of one ray meets them. */
+INLINE SlabOrder single_ray_slab_order(const Packet *packet) {
+    const Vec3 *inverse = &packet->rays[0].inverse_direction;
+    SlabOrder order;
+    slab_order_set(&order, 0, real_lane(inverse->x, 0) < 0);
+    slab_order_set(&order, 1, real_lane(inverse->y, 0) < 0);
+    slab_order_set(&order, 2, real_lane(inverse->z, 0) < 0);
+    return order;
+}
+
+/**
+ * @return Whether a packet of one ray may meet a shape of the list: the test of a box takes a fifth
+ *         of the operations of a quad's.
+ * @param index  Index in #ShapeSet.linear.
+ * @param limit  The largest distance that counts.
+ */
+INLINE bool single_ray_may_meet(const ShapeSet *set, size_t index, const Packet *packet,
+                                const SlabOrder *order, real limit) {
+    const Ray *ray = &packet->rays[0];
+    real near;
+    return slab_intersects_ordered(ray->origin, ray->inverse_direction, &set->linear_bounds[index],
+                                   order, limit, &near);
+}
+
+/** #shape_set_closest_hits for a packet of one ray. */
+INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    const SlabOrder order = single_ray_slab_order(packet);
+    hits[0] = hit_none(packet->limit[0]);
+    for (size_t i = 0; i < set->linear_count; i++) {
+        if (single_ray_may_meet(set, i, packet, &order, hits[0].distance)) {
+            shape_closest_hits(set->linear[i], 0, packet, hits);
+        }
+    }
+    set_bvh_closest_hits(set, packet, &no_intervals, hits);
+}
+
+/** #shape_set_occluded for a packet of one ray. */
+INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+    const SlabOrder order = single_ray_slab_order(packet);
+    occluded[0] = mask_of(false);
+    for (size_t i = 0; i < set->linear_count && !any(occluded[0]); i++) {
+        if (single_ray_may_meet(set, i, packet, &order, packet->limit[0])) {
+            shape_occluded(set->linear[i], packet, occluded);
+        }
+    }
+    set_bvh_occluded(set, packet, &no_intervals, occluded);
+}
+
 /* --- all shapes ------------------------------------------------------------------------------ */
 
 /** @return The intervals of a packet, where they are used: not without shapes. */
@@ -174,7 +228,22 @@ static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) 
     return set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
 }
 
+bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
+    bool may_meet = LANES == 1 || set->bvh.nodes;
+    for (size_t i = 0; !may_meet && i < set->linear_count; i++) {
+        may_meet = shape_exceeds_box(set->linear[i]);
+    }
+    for (size_t block = 0; !may_meet && block < aabb_pack_count(set->linear_count); block++) {
+        may_meet = linear_candidates(set, intervals, block).remaining != 0;
+    }
+    return may_meet;
+}
+
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    if (LANES == 1) {
+        single_ray_closest_hit(set, packet, hits);
+        return;
+    }
     const PacketIntervals intervals = set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits[v] = hit_none(packet->limit[v]);
@@ -191,6 +260,10 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
 }
 
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+    if (LANES == 1) {
+        single_ray_occluded(set, packet, occluded);
+        return;
+    }
     const PacketIntervals intervals = set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);

@@ -121,6 +121,11 @@ INLINE Vec3 vec3_normalize(Vec3 v) {
     return vec3_scale(v, 1 / real_sqrt(vec3_dot(v, v)));
 }
 
+/** @return A component. @param axis 0, 1 or 2 for x, y or z. */
+INLINE real vec3_component(const Vec3 *v, int axis) {
+    return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
 /** @return The maximum norm. */
 INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));

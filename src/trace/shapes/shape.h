@@ -135,6 +135,12 @@ static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mas
                : (TextureUv){real_of(0), real_of(0), mask_of(false), mask_of(false)};
 }
 
+/** @return Whether hits may lie beside the bounding box of a shape: sphere tracing ends as far from
+ *  a field as a pixel is wide there. Transformed shapes may be fields, too. */
+static inline bool shape_exceeds_box(const Shape *shape) {
+    return shape->class->extension && shape->class->extension->count_steps;
+}
+
 /** @return Whether a shape intersects whole packets: it has its own BVH. */
 static inline bool shape_takes_packets(const Shape *shape) {
     return shape->class->extension && shape->class->extension->closest_hits;

@@ -72,6 +72,55 @@ static int doubled_offset_from_center(int pixel, int jitter, int size) {
     return 2 * (pixel * SUBPIXELS + jitter) - size * SUBPIXELS;
 }
 
+/** @return The interval of one component of the directions over a grid.
+ *  @param forward, right, up  The component of the camera's vectors.
+ *  @param x, y  Lowest and highest of what #camera_ray gets. */
+static AxisInterval camera_axis_interval(scalar origin, scalar forward, scalar right, scalar up,
+                                         const scalar x[2], const scalar y[2]) {
+    /** Bound on the roundings of a component, its normalization and its inverse: in each a handful,
+     *  relative to the sum of the magnitudes. */
+    const scalar slack = 32 * ROUNDOFF;
+    scalar low = INFINITE, high = -INFINITE, magnitude = 0;
+    for (int corner = 0; corner < 4; corner++) {
+        scalar across = right * x[corner & 1], along = up * y[corner >> 1];
+        scalar component = across + along + forward;
+        scalar sum = (across < 0 ? -across : across) + (along < 0 ? -along : along) +
+                     (forward < 0 ? -forward : forward);
+        low = component < low ? component : low;
+        high = component > high ? component : high;
+        magnitude = sum > magnitude ? sum : magnitude;
+    }
+    low -= slack * magnitude;
+    high += slack * magnitude;
+    bool is_one_way = low > 0 || high < 0;
+    return (AxisInterval){origin, origin, is_one_way ? 1 / high : -INFINITE,
+                          is_one_way ? 1 / low : INFINITE};
+}
+
+PacketIntervals camera_grid_intervals(const Camera *camera, const PixelGrid *grid,
+                                      PixelJitter jitter) {
+    const scalar scale = (scalar)1 / SUBPIXELS;
+    int last_x = grid->x + (grid->columns - 1) * grid->stride,
+        last_y = grid->y + (grid->rows - 1) * grid->stride;
+    jitter.x -= camera->shift;
+    jitter.y -= camera->shift;
+    const scalar x[2] = {
+        (scalar)doubled_offset_from_center(grid->x, jitter.x, camera->width) * scale,
+        (scalar)doubled_offset_from_center(last_x, jitter.x, camera->width) * scale};
+    const scalar y[2] = {
+        (scalar)-doubled_offset_from_center(grid->y, jitter.y, camera->height) * scale,
+        (scalar)-doubled_offset_from_center(last_y, jitter.y, camera->height) * scale};
+    PacketIntervals intervals = {.limit = INFINITE};
+    for (int axis = 0; axis < 3; axis++) {
+        intervals.axis[axis] =
+            camera_axis_interval(real_lane(vec3_component(&camera->origin, axis), 0),
+                                 real_lane(vec3_component(&camera->forward, axis), 0),
+                                 real_lane(vec3_component(&camera->right, axis), 0),
+                                 real_lane(vec3_component(&camera->up, axis), 0), x, y);
+    }
+    return intervals;
+}
+
 /** @return 0, 1, 2, ... in the lanes. */
 INLINE real lane_indices(void) {
     real numbers = {0};

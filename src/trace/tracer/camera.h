@@ -72,6 +72,14 @@ static inline GridPosition grid_vector_position(const PixelGrid *grid, int index
 }
 
 /**
+ * @return Intervals that contain all camera rays of a grid of which no pixels are selected,
+ * rounding included. Directions are of any length. An axis along which rays go both ways clips
+ *         nothing.
+ */
+PacketIntervals camera_grid_intervals(const Camera *camera, const PixelGrid *grid,
+                                      PixelJitter jitter);
+
+/**
  * Generates the camera rays of a packet.
  * @param jitter  Where in its pixel each ray goes.
  * @param index  Index of the packet, below grid_packet_count().

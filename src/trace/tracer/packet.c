@@ -41,11 +41,6 @@ INLINE scalar real_reduce_max(real x) {
     return -real_reduce_min(-x);
 }
 
-/** @return A component. @param axis 0, 1 or 2 for x, y or z. */
-INLINE real vec3_component(const Vec3 *v, int axis) {
-    return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
-}
-
 /** The intervals that contain the rays of each lane, along one axis. */
 typedef struct LaneIntervals {
     real origin_low;   /**< Lowest origins. */

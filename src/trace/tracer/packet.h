@@ -100,6 +100,18 @@ typedef struct PacketIntervals {
     scalar limit;         /**< The largest limit. */
 } PacketIntervals;
 
+/** Replaces the colours and losses of some rays. @param lanes Those. */
+INLINE void results_replace(const mask *lanes, const Rgb *new_colors, const Losses *new_losses,
+                            Rgb *colors, Losses *losses) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask m = lanes[v];
+        colors[v] = rgb_select(m, new_colors[v], colors[v]);
+        losses->dropped[v] = rgb_select(m, new_losses->dropped[v], losses->dropped[v]);
+        losses->guarded[v] = rgb_select(m, new_losses->guarded[v], losses->guarded[v]);
+        losses->rays[v] = real_select(m, new_losses->rays[v], losses->rays[v]);
+    }
+}
+
 /** Sets all losses to 0. */
 INLINE void losses_clear(Losses *losses) {
     const Rgb nothing = {real_of(0), real_of(0), real_of(0)};

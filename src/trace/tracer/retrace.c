@@ -99,25 +99,13 @@ static bool find_curable_rays(const Tracer *tracer, scalar next_cutoff, const Rg
                               const Losses *losses, mask *open) {
     bool is_any_left = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        open[v] &= mask_not(
-            loss_budget_exceeded(&tracer->loss_budget, losses->guarded[v], colors[v]));
+        open[v] &=
+            mask_not(loss_budget_exceeded(&tracer->loss_budget, losses->guarded[v], colors[v]));
         real further = rgb_max(losses->dropped[v]) * (SURFACES_PER_PATH / next_cutoff);
         open[v] &= losses->rays[v] + further <= real_of(RAYS_PER_SAMPLE_MAXIMUM);
         is_any_left = is_any_left || any(open[v]);
     }
     return is_any_left;
-}
-
-/** Replaces the results of rays. */
-static void results_replace(const mask *lanes, const Rgb *new_colors, const Losses *new_losses,
-                            Rgb *colors, Losses *losses) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        mask m = lanes[v];
-        colors[v] = rgb_select(m, new_colors[v], colors[v]);
-        losses->dropped[v] = rgb_select(m, new_losses->dropped[v], losses->dropped[v]);
-        losses->guarded[v] = rgb_select(m, new_losses->guarded[v], losses->guarded[v]);
-        losses->rays[v] = real_select(m, new_losses->rays[v], losses->rays[v]);
-    }
 }
 
 /** @return The largest error of a channel of a ray, 8-bit steps. @param lost Throughput ended. */
@@ -306,8 +294,10 @@ static bool camera_group_find_curable(const CameraGroup *group, scalar next_cuto
     bool is_any_left = false;
     for (int p = 0; p < group->count; p++) {
         CameraPacket *packet = &group->packets[p];
-        mask open[PACKET_VECTORS];
-        find_open_rays(group->tracer, packet->rays, packet->colors, &packet->losses, open);
+        mask open[PACKET_VECTORS] = {0};
+        if (losses_are_any(packet->rays, &packet->losses)) {
+            find_open_rays(group->tracer, packet->rays, packet->colors, &packet->losses, open);
+        }
         for (int v = 0; v < PACKET_VECTORS; v++) {
             packet->lanes[v] &= open[v];
         }

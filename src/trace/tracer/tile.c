@@ -140,7 +140,39 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
     }
 }
 
+/** @return Whether all rays of a grid see the same light of the sky, and nothing else: no shape's
+ *          box lies within the intervals of the whole grid. */
+static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid) {
+    bool is_plain = !tracer->sky.is_gradient && !tracer->textures.sky &&
+                    tracer->emitters.count == 0 && !tracer->methods && !grid->selected &&
+                    !grid->path_hashes && !grid->ray_tree;
+    if (!is_plain || LANES == 1) {
+        return false;
+    }
+    const PacketIntervals intervals =
+        camera_grid_intervals(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+    return !shape_set_may_meet(&tracer->shapes, &intervals);
+}
+
+/** Fills a grid with the light of the sky. */
+static void tile_fill_background(const Tracer *tracer, const PixelGrid *grid, double *rgb) {
+    const Rgb *sky = &tracer->sky.horizon;
+    const double colors[3] = {(double)real_lane(sky->red, 0), (double)real_lane(sky->green, 0),
+                              (double)real_lane(sky->blue, 0)};
+    size_t plane = grid_ray_count(grid);
+    for (size_t channel = 0; channel < 3; channel++) {
+        for (size_t i = 0; i < plane; i++) {
+            rgb[channel * plane + i] = colors[channel];
+        }
+    }
+}
+
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
+    counts->camera += grid_ray_count(grid);
+    if (tile_is_background(tracer, grid)) {
+        tile_fill_background(tracer, grid, rgb);
+        return;
+    }
     // Recorders identify rays by their lanes.
     bool has_wavefront = tracer->wavefronts && !grid->path_hashes && !grid->ray_tree;
     Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
@@ -151,7 +183,6 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
     } else {
         trace_tile_packets(tracer, grid, rgb, counts);
     }
-    counts->camera += grid_ray_count(grid);
 }
 
 void trace_tile_primary(const Tracer *tracer, const PixelGrid *grid, int *shapes,

@@ -35,8 +35,12 @@ typedef struct QueuedRay {
     bool is_refracted;                        /**< Whether it is refracted, not reflected. */
 } QueuedRay;
 
+/** Instead of the index of a node: there is none. */
+static const uint32_t NODE_NONE = UINT32_MAX;
+
 /** A ray in the tree of its camera ray. Rays that go straight on at an overridden surface stay in
- *  one node. Nodes come after their parents, and the reflected ray after the refracted one. */
+ *  one node. Nodes come after their parents, and the reflected ray after the refracted one. Camera
+ *  rays below which nothing is traced have no node. */
 typedef struct PathNode {
     Rgbs weight;      /**< The factor of its colour in that of its parent. */
     Rgbs local_color; /**< The colour of its surface alone; black where it was not traced. */
@@ -48,7 +52,7 @@ typedef struct PathNode {
     Rgbs sum_color;   /**< Its colour, with that of the rays below. */
     Rgbs sum_dropped; /**< #dropped, with that of the rays below. */
     Rgbs sum_guarded; /**< #guarded, with that of the rays below. */
-    uint32_t parent;  /**< Index of its parent. */
+    uint32_t parent;  /**< Index of its parent; #NODE_NONE for a camera ray. */
 } PathNode;
 
 /** The rays of a level. Refracted rays fill it from the front, reflected ones from the back:
@@ -60,8 +64,7 @@ typedef struct RayQueue {
 } RayQueue;
 
 struct Wavefront {
-    PathNode *nodes;       /**< The nodes: first those of the camera rays; owned. */
-    unsigned root_count;   /**< Number of camera rays, whether traced or not. */
+    PathNode *nodes;       /**< The nodes; owned. */
     unsigned node_count;   /**< Number of nodes. */
     unsigned sample_limit; /**< See wavefront_sample_limit(). */
     unsigned sample_count; /**< Number of camera rays that were traced last. */
@@ -72,6 +75,9 @@ struct Wavefront {
     QueuedRay *kept;     /**< Rays for wavefront_resume(), in the order of their bounces; owned. */
     unsigned kept_count; /**< Number of those. */
     uint32_t pixel_ids[WAVEFRONT_SAMPLES]; /**< See #SampleContext, per camera ray. */
+    uint32_t roots[WAVEFRONT_SAMPLES];     /**< Nodes of the camera rays, or #NODE_NONE. */
+    unsigned root_lanes[WAVEFRONT_PACKETS][PACKET_VECTORS]; /**< Lanes of camera rays with a node,
+                                                                 as bits. */
 };
 
 /* --- memory ----------------------------------------------------------------------------------- */
@@ -192,6 +198,39 @@ INLINE void rgb_set_lane(Rgb *c, int lane, Rgbs value) {
     real_set_lane(&c->blue, lane, value.blue);
 }
 
+/** @return A new node. */
+static uint32_t node_add(Wavefront *wavefront, uint32_t parent, Rgbs weight) {
+    uint32_t index = wavefront->node_count++;
+    PathNode *node = &wavefront->nodes[index];
+    // The sums come later. One by one: gcc clears a whole node by a slow string instruction.
+    node->weight = weight;
+    node->local_color = node->dropped = node->guarded = (Rgbs){0};
+    node->rays = 0;
+    node->parent = parent;
+    return index;
+}
+
+/** Adds the nodes of camera rays at whose surfaces rays start. @param first Index of the first
+ *  camera ray of the packet. @param[out] source The nodes. */
+static void roots_add(Wavefront *wavefront, unsigned first, const CameraPacket *packet,
+                      const ScatteredRays *scattered, PacketSource *source) {
+    unsigned *root_lanes = wavefront->root_lanes[first / PACKET_RAYS];
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        root_lanes[v] = mask_bits(scattered->refracted.rays.packet.active[v] |
+                                  scattered->reflected.rays.packet.active[v]);
+        for (unsigned left = root_lanes[v]; left; left &= left - 1) {
+            int lane = __builtin_ctz(left), i = v * LANES + lane;
+            uint32_t index = node_add(wavefront, NODE_NONE, (Rgbs){0});
+            PathNode *node = &wavefront->nodes[index];
+            node->local_color = rgb_at(&packet->colors[v], lane);
+            node->dropped = rgb_at(&packet->losses.dropped[v], lane);
+            node->guarded = rgb_at(&packet->losses.guarded[v], lane);
+            wavefront->roots[first + (unsigned)i] = source->nodes[i] = index;
+            source->samples[i] = (uint16_t)(first + (unsigned)i);
+        }
+    }
+}
+
 /** Stores what the rays of a packet saw, without the rays that start there. */
 static void nodes_store(Wavefront *wavefront, const Packet *packet, const PacketSource *source,
                         const Rgb *colors, const Losses *losses) {
@@ -221,13 +260,6 @@ INLINE void queued_ray_store(QueuedRay *ray, const SecondaryRays *secondary, int
     ray->sample = sample;
     ray->bounce = (uint16_t)rays->packet.context.bounce;
     ray->is_refracted = secondary->type == RAY_REFRACTION;
-}
-
-/** @return A new node. */
-static uint32_t node_add(Wavefront *wavefront, uint32_t parent, Rgbs weight) {
-    uint32_t index = wavefront->node_count++;
-    wavefront->nodes[index] = (PathNode){.weight = weight, .parent = parent};
-    return index;
 }
 
 /**
@@ -268,8 +300,16 @@ static void secondary_rays_queue(Wavefront *wavefront, scalar cutoff, const Pack
     }
 }
 
+/** Queues the rays that start at the surfaces of a packet. See secondary_rays_queue(). */
+static void scattered_rays_queue(Wavefront *wavefront, scalar cutoff, const PacketSource *source,
+                                 const RayState *rays, const ScatteredRays *scattered,
+                                 RayCounts *counts) {
+    secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered->refracted, counts);
+    secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered->reflected, counts);
+}
+
 /**
- * Traces a packet, and queues the rays that start at its surfaces.
+ * Traces a packet of queued rays, and queues the rays that start at its surfaces.
  * @param cutoff  Rays of less throughput are kept.
  * @param context  Its cutoff is the least throughput of rays that are kept.
  */
@@ -284,10 +324,7 @@ static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefron
     bool is_scattered = shade_and_scatter(context, rays, &scattered, colors, &losses);
     nodes_store(wavefront, &rays->packet, source, colors, &losses);
     if (is_scattered) {
-        secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered.refracted,
-                             context->counts);
-        secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered.reflected,
-                             context->counts);
+        scattered_rays_queue(wavefront, cutoff, source, rays, &scattered, context->counts);
     }
 }
 
@@ -381,7 +418,7 @@ static void wavefront_advance(Wavefront *wavefront) {
 /* --- sums ------------------------------------------------------------------------------------- */
 
 /** Adds up colours and losses, from the leaves to the camera rays. */
-static void nodes_add_up(PathNode *nodes, unsigned root_count, unsigned count) {
+static void nodes_add_up(PathNode *nodes, unsigned count) {
     for (unsigned i = 0; i < count; i++) {
         PathNode *node = &nodes[i];
         node->sum_color = node->local_color;
@@ -389,8 +426,11 @@ static void nodes_add_up(PathNode *nodes, unsigned root_count, unsigned count) {
         node->sum_guarded = node->guarded;
         node->sum_rays = node->rays;
     }
-    for (unsigned i = count; i-- > root_count;) {
+    for (unsigned i = count; i-- > 0;) {
         const PathNode *node = &nodes[i];
+        if (node->parent == NODE_NONE) {
+            continue;
+        }
         PathNode *parent = &nodes[node->parent];
         parent->sum_color.red += node->weight.red * node->sum_color.red;
         parent->sum_color.green += node->weight.green * node->sum_color.green;
@@ -401,12 +441,14 @@ static void nodes_add_up(PathNode *nodes, unsigned root_count, unsigned count) {
     }
 }
 
-/** Sets the results of the camera rays of a packet. @param nodes Their nodes. */
-static void camera_packet_set_results(const PathNode *nodes, CameraPacket *packet) {
+/** Sets the results of the camera rays of a packet that have nodes. @param p Its index. */
+static void camera_packet_set_results(const Wavefront *wavefront, int p, CameraPacket *packet) {
+    const uint32_t *roots = wavefront->roots + p * PACKET_RAYS;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        for (unsigned left = mask_bits(packet->lanes[v]); left; left &= left - 1) {
+        unsigned left = mask_bits(packet->lanes[v]) & wavefront->root_lanes[p][v];
+        for (; left; left &= left - 1) {
             int lane = __builtin_ctz(left);
-            const PathNode *node = &nodes[v * LANES + lane];
+            const PathNode *node = &wavefront->nodes[roots[v * LANES + lane]];
             rgb_set_lane(&packet->colors[v], lane, node->sum_color);
             rgb_set_lane(&packet->losses.dropped[v], lane, node->sum_dropped);
             rgb_set_lane(&packet->losses.guarded[v], lane, node->sum_guarded);
@@ -418,9 +460,9 @@ static void camera_packet_set_results(const PathNode *nodes, CameraPacket *packe
 /** Sets the results of all camera rays that are traced. */
 static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, int count) {
     wavefront_note_room(wavefront);
-    nodes_add_up(wavefront->nodes, wavefront->root_count, wavefront->node_count);
+    nodes_add_up(wavefront->nodes, wavefront->node_count);
     for (int p = 0; p < count; p++) {
-        camera_packet_set_results(wavefront->nodes + p * PACKET_RAYS, &packets[p]);
+        camera_packet_set_results(wavefront, p, &packets[p]);
     }
 }
 
@@ -431,11 +473,11 @@ static void wavefront_begin(Wavefront *wavefront, const CameraPacket *packets, i
     wavefront_raise_limit(wavefront);
     wavefront->sample_count = 0;
     wavefront->had_ample_room = true;
-    wavefront->root_count = wavefront->node_count = (unsigned)count * PACKET_RAYS;
+    wavefront->node_count = 0;
     wavefront->kept_count = 0;
     wavefront->level.front = wavefront->level.back = 0;
     wavefront->next.front = wavefront->next.back = 0;
-    memset(wavefront->nodes, 0, wavefront->root_count * sizeof *wavefront->nodes);
+    memset(wavefront->root_lanes, 0, sizeof wavefront->root_lanes);
     for (int p = 0; p < count; p++) {
         wavefront->sample_count += camera_packet_count(&packets[p]);
         const uint32_t *pixel_ids = packets[p].rays->packet.context.pixel_ids;
@@ -445,20 +487,27 @@ static void wavefront_begin(Wavefront *wavefront, const CameraPacket *packets, i
     }
 }
 
-/** Traces the camera rays of a packet. @param first Index of the first. */
-static void camera_packet_trace(Wavefront *wavefront, scalar cutoff, const TraceContext *context,
-                                unsigned first, const CameraPacket *packet) {
-    PacketSource source;
+/** Traces the camera rays of a packet, and queues the rays that start at their surfaces.
+ *  @param first Index of the first. See wavefront_trace_packet(). */
+static __attribute__((noinline)) void camera_packet_trace(Wavefront *wavefront, scalar cutoff,
+                                                          const TraceContext *context,
+                                                          unsigned first, CameraPacket *packet) {
+    ScatteredRays scattered;
+    Rgb colors[PACKET_VECTORS];
+    Losses losses;
     RayState *rays = packet->rays;
     mask active[PACKET_VECTORS];
-    for (unsigned i = 0; i < PACKET_RAYS; i++) {
-        source.nodes[i] = first + i;
-        source.samples[i] = (uint16_t)(first + i);
-    }
     memcpy(active, rays->packet.active, sizeof active);
     memcpy(rays->packet.active, packet->lanes, sizeof active);
     if (packet_active_count(&rays->packet) > 0) {
-        wavefront_trace_packet(wavefront, cutoff, context, rays, &source);
+        losses_clear(&losses);
+        bool is_scattered = shade_and_scatter(context, rays, &scattered, colors, &losses);
+        results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
+        if (is_scattered) {
+            PacketSource source;
+            roots_add(wavefront, first, packet, &scattered, &source);
+            scattered_rays_queue(wavefront, cutoff, &source, rays, &scattered, context->counts);
+        }
     }
     memcpy(rays->packet.active, active, sizeof active);
 }

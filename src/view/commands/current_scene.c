@@ -145,6 +145,7 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     if (load->path[0] != '\0') {
         set_path(app, load->lesson ? load->lesson->scene : load->path);
         edit_history_clear(&app->edits);
+        view_history_clear(&app->moves);
         app->source.requested_revision = app->edits.revision;
         app->window.object_inspector = (ObjectInspector){0};
         app->timeline = (Timeline){.time = load->time};

@@ -101,6 +101,41 @@ void edits_click_light(App *app, size_t light) {
     select_object(app, &object, NULL);
 }
 
+/** @return The objects of a scene in turn: shapes, then lights. @param index Below their number. */
+static SceneObject object_at(const Scene *scene, size_t index) {
+    return index < scene->shape_count ? scene_object_of_shape(scene, index)
+                                      : scene_object_of_light(scene, index - scene->shape_count);
+}
+
+void edits_select_next(App *app, int step) {
+    const ObjectInspector *inspector = &app->window.object_inspector;
+    const Scene *scene = app->scene;
+    size_t count = scene->shape_count + scene->light_count, present = step > 0 ? count - 1 : 0;
+    SceneObject middle;
+    Vec3d point;
+    // A floor of a hundred tiles would come before what the picture is about.
+    if (inspector->number == 0 && find_object_at(app, 0.5, 0.5, &middle, &point) &&
+        middle.origin->number > 0) {
+        edits_click(app, 0.5, 0.5);
+        return;
+    }
+    for (size_t i = 0; i < count && inspector->number > 0; i++) {
+        SceneObject object = object_at(scene, i);
+        if (object.keyword == inspector->keyword && object.origin->number == inspector->number) {
+            present = i;
+        }
+    }
+    for (size_t i = 1; i <= count; i++) {
+        SceneObject object =
+            object_at(scene, (present + (step > 0 ? i : count - i % count)) % count);
+        if (object.origin->number > 0) {
+            select_object(app, &object, NULL);
+            return;
+        }
+    }
+    app_set_status(app, "there is nothing that can be changed");
+}
+
 bool edits_close(App *app) {
     bool is_open = app->window.object_inspector.number > 0;
     select_object(app, NULL, NULL);
@@ -157,6 +192,7 @@ static void apply_edits(App *app, const SceneOverride *edits, size_t count, bool
         return;
     }
     bool is_good = check_edits(app, &object, edits, count, &error);
+    view_history_forget_undone(&app->moves);
     for (size_t i = 0; i < count && is_good; i++) {
         is_good = keep_original(app, &object, &edits[i], &error) &&
                   edit_history_add(&app->edits, &edits[i], continues || i > 0, &error);
@@ -249,13 +285,19 @@ static void record_set(App *app, const SceneOverride *edit, bool continues) {
 }
 
 void edits_undo(App *app) {
-    if (!edit_history_undo(&app->edits)) {
+    if (view_history_undo(&app->moves, &app->home_view, app->scene,
+                          edit_history_in_force(&app->edits))) {
+        app_on_view_changed(app);
+    } else if (!edit_history_undo(&app->edits)) {
         app_set_status(app, "there is nothing to undo");
     }
 }
 
 void edits_redo(App *app) {
-    if (!edit_history_redo(&app->edits)) {
+    if (view_history_redo(&app->moves, &app->home_view, app->scene,
+                          edit_history_in_force(&app->edits))) {
+        app_on_view_changed(app);
+    } else if (!edit_history_redo(&app->edits)) {
         app_set_status(app, "there is nothing to do again");
     }
 }

@@ -19,6 +19,11 @@ void edits_click(App *app, double x, double y);
 /** Selects a light whose mark was clicked. @param light Its index. */
 void edits_click_light(App *app, size_t light);
 
+/** Selects the next shape or light that can be changed; at first, what is in the middle of the
+ *  picture. @param step 1: the next; -1: the one
+ *  before. */
+void edits_select_next(App *app, int step);
+
 /** Finds the point that a pixel shows. @param x Fraction of the picture's width. @param y Fraction
  *  of its height. @param[out] point It, scene units. @return false if it shows nothing. */
 bool edits_point_at(App *app, double x, double y, Vec3d *point);
@@ -43,6 +48,10 @@ void edits_copy(App *app);
 /** Writes the changes of the selected object and of its material into the scene file. */
 void edits_write(App *app);
 
+/** Saves a copy of the scene file with the changes of all objects, numbered, in the folder of
+ *  snapshots. */
+void edits_save_copy(App *app);
+
 /* --- for commands and lessons ----------------------------------------------------------------- */
 
 /** Selects an object. @param number See #SceneOverride.number; 0: none. @param pixel Where it was
@@ -56,7 +65,7 @@ void edits_set(App *app, const SceneOverride *override, bool continues);
  *  belongs to the change before it. */
 void edits_move(App *app, int keyword, int number, Vec3d offset, bool continues);
 
-/** Takes the last change back. */
+/** Takes the last change back, of an object or of camera and lights. */
 void edits_undo(App *app);
 
 /** Does the change again that was taken back last. */

@@ -6,9 +6,12 @@
 #include "base/data_dir.h"
 #include "base/language.h"
 #include "base/regular_file.h"
+#include "base/sanitize.h"
+#include "base/text_file.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/edits.h"
 #include "view/state/scene_text.h"
+#include "view/state/snapshot.h"
 #include "view/state/source_edit.h"
 
 #include <libintl.h>
@@ -140,7 +143,8 @@ static bool check_file(const App *app, Error *error) {
     bool is_installed = data_dir_scenes(folder) && realpath(path, own) &&
                         strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
     if (is_installed) {
-        return error_set(error, STATUS_FAILED, "this scene belongs to the program: save a copy");
+        return error_set(error, STATUS_FAILED,
+                         "this scene belongs to the program: save a copy (Ctrl Shift S)");
     }
     if (current_scene_file_changed(app)) {
         return error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");
@@ -202,4 +206,65 @@ void edits_write(App *app) {
                        ngettext("%zu value written into %s", "%zu values written into %s", count),
                        count, app->source.path);
     }
+}
+
+/* --- copies -------------------------------------------------------------------------------------
+ */
+
+/** Text to be written. */
+typedef struct CopyText {
+    char *text;  /**< Its bytes. */
+    size_t size; /**< Their number. */
+} CopyText;
+
+/** Writes it. See #NumberedFile.write. */
+static bool write_copy(const void *context, const char *path, bool *exists, Error *error) {
+    const CopyText *copy = context;
+    return text_file_write_new(path, copy->text, copy->size, exists, error);
+}
+
+/** Writes the values of all changed objects into a text. @param[in,out] copy The text. @return
+ *  Whether all are written. */
+static bool write_all_values(const App *app, CopyText *copy, size_t *count, Error *error) {
+    SceneOverride *overrides = calloc(SCENE_OVERRIDES_MAXIMUM, sizeof *overrides);
+    size_t fields = overrides ? edit_history_overrides(&app->edits, overrides) : 0;
+    bool is_good = overrides || error_set(error, STATUS_FAILED, "no memory for a scene file");
+    for (size_t i = 0; i < fields && is_good; i++) {
+        SceneObject object;
+        bool is_known = false; // All fields of an object are written at its first one.
+        for (size_t k = 0; k < i; k++) {
+            is_known = is_known || (overrides[k].keyword == overrides[i].keyword &&
+                                    overrides[k].number == overrides[i].number);
+        }
+        if (!is_known &&
+            scene_object_find(app->scene, overrides[i].keyword, overrides[i].number, &object)) {
+            is_good = write_values(app, &object, &copy->text, &copy->size, count, error);
+        }
+    }
+    free(overrides);
+    return is_good;
+}
+
+void edits_save_copy(App *app) {
+    Error error = {0};
+    CopyText copy = {0};
+    size_t count = 0;
+    char path[NUMBERED_FILE_PATH_SIZE], name[SCENE_NAME_SIZE + 8];
+    snprintf(name, sizeof name, "%s-copy", app->source.name);
+    const NumberedFile file = {app->settings->snapshot_dir, name, "lua", write_copy, &copy};
+    bool has_file = strcmp(app->source.path, "-") != 0 ||
+                    error_set(&error, STATUS_FAILED, "a scene from standard input has no file");
+    copy.text = has_file ? read_file(app->source.path, &copy.size, &error) : NULL;
+    bool is_saved = copy.text && write_all_values(app, &copy, &count, &error) &&
+                    numbered_file_write(&file, path, &error);
+    free(copy.text);
+    if (!is_saved) {
+        app_set_status(app, "not written: %.*s", STATUS_TEXT_SIZE - 32, error.message);
+        return;
+    }
+    sanitize_print_line(path, stdout);
+    putchar('\n');
+    fflush(stdout);
+    app_set_status(app, ngettext("%zu value written into %s", "%zu values written into %s", count),
+                   count, path);
 }

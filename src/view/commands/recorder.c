@@ -271,7 +271,8 @@ static void show_typed_caption(App *app) {
     Caption *caption = &app->window.caption;
     const char *text = app->recorder.shown;
     snprintf(app->recorder.shown, sizeof app->recorder.shown, "%s%s", app->recorder.caption, CARET);
-    *caption = (Caption){.text = {text, text}, .hint = N_("Caption: type, then Enter")};
+    *caption = (Caption){
+        .text = {text, text}, .hint = N_("Caption: type, then Enter"), .side = caption->side};
     window_present(&app->window);
 }
 

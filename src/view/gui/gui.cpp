@@ -81,8 +81,43 @@ bool is_keyboard_event(const SDL_Event *event) {
     return event->type == SDL_KEYDOWN || event->type == SDL_KEYUP || event->type == SDL_TEXTINPUT;
 }
 
-/** Frees the texture of the letters. */
+/** @return Whether an event is Esc while no field is being changed. */
+bool is_leaving(const SDL_Event *event) {
+    return event->type == SDL_KEYDOWN && event->key.keysym.sym == SDLK_ESCAPE &&
+           !ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+}
+
+/** @return Whether an event is of a function key: those are for the program. */
+bool is_function_key(const SDL_Event *event) {
+    return event->type != SDL_TEXTINPUT && event->key.keysym.sym >= SDLK_F1 &&
+           event->key.keysym.sym <= SDLK_F12;
+}
+
+/** Asks the system for letters while a number is typed, and only then: else a key that moves things
+ *  would open its list of accents. */
+void update_text_input(Gui *gui) {
+    bool is_wanted = ImGui::GetIO().WantTextInput;
+    if (is_wanted && !gui->has_text_input) {
+        SDL_StartTextInput();
+    } else if (!is_wanted && gui->has_text_input) {
+        SDL_StopTextInput();
+    }
+    gui->has_text_input = is_wanted;
+}
+
+/** Takes the keyboard from the inspector. */
+void take_keyboard(Gui *gui) {
+    ImGuiIO &io = ImGui::GetIO();
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    memset(io.KeysDown, 0, sizeof io.KeysDown);
+    gui->has_keyboard = gui->takes_focus = false;
+    ImGui::SetWindowFocus(nullptr);
+    gui->due_frames = FRAMES_PER_EVENT;
+}
+
+/** Frees the texture of the letters, and the panels that were drawn with it. */
 void release_letters(Gui *gui) {
+    forget_panels(&gui->kept);
     if (gui->letters) {
         SDL_DestroyTexture(gui->letters);
     }
@@ -113,26 +148,6 @@ void create_letters(Gui *gui, float size) {
     }
     atlas->SetTexID(gui->letters);
     gui->letter_size = size;
-}
-
-/** Draws one list of commands, in units of the window. */
-void draw_list(SDL_Renderer *renderer, const ImDrawList *list) {
-    const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data);
-    for (const ImDrawCmd &command : list->CmdBuffer) {
-        const ImVec4 &clip = command.ClipRect;
-        SDL_Rect rect = {static_cast<int>(clip.x), static_cast<int>(clip.y),
-                         static_cast<int>(clip.z - clip.x), static_cast<int>(clip.w - clip.y)};
-        const char *first = vertices + command.VtxOffset * sizeof(ImDrawVert);
-        SDL_RenderSetClipRect(renderer, &rect);
-        SDL_RenderGeometryRaw(
-            renderer, static_cast<SDL_Texture *>(command.GetTexID()),
-            reinterpret_cast<const float *>(first + offsetof(ImDrawVert, pos)), sizeof(ImDrawVert),
-            reinterpret_cast<const SDL_Color *>(first + offsetof(ImDrawVert, col)),
-            sizeof(ImDrawVert), reinterpret_cast<const float *>(first + offsetof(ImDrawVert, uv)),
-            sizeof(ImDrawVert), static_cast<int>(list->VtxBuffer.Size - command.VtxOffset),
-            list->IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
-            sizeof(ImDrawIdx));
-    }
 }
 
 } // namespace
@@ -195,12 +210,29 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
     if (is_mouse) {
         gui->due_frames = FRAMES_PER_EVENT;
     }
-    bool is_typed = ImGui::GetIO().WantTextInput && is_keyboard_event(event);
+    bool is_typed = (ImGui::GetIO().WantTextInput || gui->has_keyboard) && is_keyboard_event(event);
+    if (is_typed && gui->has_keyboard && is_leaving(event)) {
+        take_keyboard(gui);
+        return true;
+    }
+    if (is_typed && gui->has_keyboard && is_function_key(event)) {
+        return false;
+    }
     if (is_typed) {
         ImGui_ImplSDL2_ProcessEvent(event);
         gui->due_frames = FRAMES_PER_EVENT;
     }
     return (is_mouse && was_wanted) || is_typed;
+}
+
+bool gui_give_keyboard(Gui *gui) {
+    if (gui) {
+        ImGui::SetCurrentContext(gui->context);
+        ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+        gui->has_keyboard = gui->takes_focus = true;
+        gui->due_frames = FRAMES_PER_EVENT;
+    }
+    return gui != nullptr;
 }
 
 bool gui_close_list(Gui *gui) {
@@ -260,14 +292,15 @@ void gui_begin_frame(Gui *gui, float text_size) {
 
 void gui_end_frame(Gui *gui) {
     ImGui::Render();
-    const ImDrawData *data = ImGui::GetDrawData();
-    ImVec2 scale = data->FramebufferScale;
-    SDL_RenderSetScale(gui->renderer, scale.x, scale.y);
-    for (int i = 0; gui->letters && i < data->CmdListsCount; i++) {
-        draw_list(gui->renderer, data->CmdLists[i]);
+    if (gui->has_keyboard && !gui->is_inspecting) {
+        take_keyboard(gui);
     }
-    SDL_RenderSetClipRect(gui->renderer, nullptr);
-    SDL_RenderSetScale(gui->renderer, 1, 1);
+    gui->is_inspecting = false;
+    update_text_input(gui);
+    const ImDrawData *data = ImGui::GetDrawData();
+    if (gui->letters) {
+        draw_frame(gui->renderer, data, &gui->kept);
+    }
     gui->due_frames -= gui->due_frames > 0;
 }
 

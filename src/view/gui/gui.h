@@ -2,9 +2,10 @@
  * @file
  * @brief The graphical user interface over the picture: buttons, lists, sliders, text and marks.
  *
- * A C header over Dear ImGui, which the C++ files beside it alone include. It is an immediate-mode interface: each
- * frame calls one function per widget, which draws it and returns what the user did with it. All
- * functions are called by the thread of the window. Labels and tooltips are already translated.
+ * A C header over Dear ImGui, which the C++ files beside it alone include. It is an immediate-mode
+ * interface: each frame calls one function per widget, which draws it and returns what the user did
+ * with it. All functions are called by the thread of the window. Labels and tooltips are already
+ * translated.
  */
 #ifndef DIOPTRE_VIEW_GUI_GUI_H
 #define DIOPTRE_VIEW_GUI_GUI_H
@@ -52,6 +53,10 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
+/** Gives the keyboard to the inspector of objects until Esc, or until it is closed. @return false
+ *  without it. */
+bool gui_give_keyboard(Gui *gui);
+
 /** Closes the list that is open. @return Whether there was one. */
 bool gui_close_list(Gui *gui);
 
@@ -83,8 +88,9 @@ void gui_set_cursor(GuiCursor cursor);
 /** Shows the mouse as a large ring, which a class sees, or as usual. */
 void gui_set_ring(Gui *gui, bool is_wanted);
 
-/** Writes a text in very large letters. @param top Middle of its upper edge. */
-void gui_title(const char *text, GuiPoint top);
+/** Writes a text in very large letters. @param top Middle of its upper edge. @return Its lower end.
+ */
+float gui_title(const char *text, GuiPoint top);
 
 /* --- the palette ------------------------------------------------------------------------------ */
 
@@ -241,12 +247,15 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
-/** @return The height of what #gui_readout shows. */
-float gui_readout_height(void);
+/** @return The height of what #gui_message shows. */
+float gui_message_height(const char *text);
 
-/** Shows a colour and a text beside it, in lines as wide as the window. @param rgb The colour,
- *  sRGB. @param corner The lower left corner. */
-void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner);
+/** @return The height of what #gui_readout shows at the left edge. */
+float gui_readout_height(const char *text);
+
+/** Shows a colour and a text beside it, in lines as wide as the window. @param id Unique to it; not
+ *  shown. @param rgb The colour, sRGB. @param corner The lower left corner. */
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
 void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
@@ -332,13 +341,18 @@ typedef struct GuiLegend {
     int note_count;                /**< Number of them. */
 } GuiLegend;
 
-/**
- * Draws a legend.
- * @param corner    Its lower corner, on the side that \p is_right says.
- * @param highest   Largest height, pixels of the window: the bar shrinks.
- * @param is_right  Whether the corner is the right one.
- */
-void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right);
+/** Where a legend lies. */
+typedef struct GuiLegendPlace {
+    GuiPoint corner;      /**< Its lower corner, on the side that #is_right says. */
+    float highest;        /**< Largest height, pixels of the window: the bar shrinks. */
+    bool is_right;        /**< Whether the corner is the right one. */
+    const GuiRect *taken; /**< Panels that it must not touch: they were asked for. */
+    int taken_count;      /**< Number of them. */
+} GuiLegendPlace;
+
+/** Draws a legend, unless it would touch what is taken. @param id Unique to it; not shown.
+ *  @return Where it lies; of height 0: nowhere. */
+GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place);
 
 /** Draws a ring around a pixel, seen on light and dark ground. */
 void gui_ring(GuiPoint center, float radius);
@@ -354,9 +368,10 @@ typedef struct GuiPixels {
 /**
  * Draws pixels as squares with lines between them; the one in the middle has a frame.
  * @param point  What they are of; they lie beside it, inside the window.
- * @param top    Upper edge of the free part of the window.
+ * @param top     Upper edge of the free part of the window.
+ * @param bottom  Its lower edge.
  */
-void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top);
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top, float bottom);
 
 /** A point of a chart. */
 typedef struct GuiChartPoint {
@@ -392,7 +407,8 @@ void gui_card_begin(const char *id);
 /** Writes an item of a list in as many lines as it needs. */
 void gui_item(const char *text);
 
-/** Puts the next widget into the line of the last one, where it has room. @param label Its words. */
+/** Puts the next widget into the line of the last one, where it has room. @param label Its words.
+ */
 void gui_same_line(const char *label);
 
 /** A button that may be dimmed. @param is_enabled Whether it can be clicked. @param is_marked

@@ -6,6 +6,8 @@
 
 namespace {
 
+/** Fewest lines of text that a plot is high. */
+constexpr float PLOT_LINES_MINIMUM = 2;
 /** Width of the numbers of a chart's left axis, in heights of letters. */
 constexpr float CHART_NUMBER_WIDTH = 2.5F;
 /** Most labels of points that do not overlap. */
@@ -57,22 +59,31 @@ ImVec2 chart_position(const ChartArea &area, double x, double y) {
                   area.high.y - static_cast<float>(up) * (area.high.y - area.low.y));
 }
 
-/** Draws a line at each power of ten, with its number. */
+/** Draws a line at each power of ten, with its number where that has room. */
 void draw_chart_grid(ImDrawList *list, const ChartArea &area) {
     const float line = ImGui::GetFontSize();
     char text[16];
+    float last = area.low.x - 2 * line;
     for (double x = area.x.low; x <= area.x.high; x++) {
         ImVec2 at = chart_position(area, pow(10, x), 0);
         snprintf(text, sizeof text, "%g", pow(10, x));
         list->AddLine(ImVec2(at.x, area.low.y), ImVec2(at.x, area.high.y), GRID);
-        put_text(list, ImVec2(at.x - ImGui::CalcTextSize(text).x / 2, area.high.y), 0, TEXT, text);
+        float half = ImGui::CalcTextSize(text).x / 2;
+        if (at.x - half > last + line / 4) {
+            put_text(list, ImVec2(at.x - half, area.high.y + line / 2), 0, TEXT, text);
+            last = at.x + half;
+        }
     }
+    last = area.high.y + line;
     for (double y = area.y.low; y <= area.y.high; y++) {
         ImVec2 at = chart_position(area, 0, pow(10, y));
         snprintf(text, sizeof text, "%g", pow(10, y));
         list->AddLine(ImVec2(area.low.x, at.y), ImVec2(area.high.x, at.y), GRID);
-        put_text(list, ImVec2(area.low.x - ImGui::CalcTextSize(text).x - line / 4, at.y - line / 2),
-                 0, TEXT, text);
+        float left = area.low.x - ImGui::CalcTextSize(text).x - line / 4;
+        if (at.y + line / 2 <= last) {
+            put_text(list, ImVec2(left, at.y - line / 2), 0, TEXT, text);
+            last = at.y - line / 2;
+        }
     }
 }
 
@@ -121,7 +132,9 @@ void draw_chart_points(ImDrawList *list, const GuiChart *chart, const ChartArea 
         list->AddCircleFilled(at, radius, point.is_front ? ACCENT : TEXT);
         list->AddCircle(at, radius + (point.is_shown ? 3 : 1), point.is_shown ? TEXT : OUTLINE, 0,
                         2);
-        put_text(list, label, 0, point.is_front ? ACCENT : TEXT, point.label);
+        if (label.y > area.low.y - line && label.y < area.high.y) {
+            put_text(list, label, 0, point.is_front ? ACCENT : TEXT, point.label);
+        }
         if (labelled < CHART_LABELS_MAXIMUM) {
             labels[labelled++] = label;
         }
@@ -147,9 +160,9 @@ float draw_chart_list(ImDrawList *list, const GuiChart *chart, ImVec2 low, float
 extern "C" {
 
 void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
     const float line = ImGui::GetFontSize(), gap = PADDING * line;
     ImVec2 low(corner.x, corner.y), high(corner.x + size.x, corner.y + size.y);
+    ImDrawList *list = begin_value("chart", low, high);
     list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
     const float width = size.x - 2 * gap;
     ImVec2 at(low.x + gap, low.y + gap);
@@ -162,15 +175,18 @@ void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
     }
     float list_top = at.y + CHART_PLOT_FRACTION * size.y;
     bottom = draw_chart_list(list, chart, ImVec2(at.x, list_top), bottom - gap);
-    ChartArea area = {ImVec2(at.x + CHART_NUMBER_WIDTH * line, at.y + gap),
-                      ImVec2(high.x - 2 * line, bottom - 2 * line - 2 * gap),
+    ChartArea area = {ImVec2(at.x + CHART_NUMBER_WIDTH * line, at.y + line),
+                      ImVec2(high.x - 2 * line, bottom - 2.5F * line - 2 * gap),
                       chart_range(chart, true), chart_range(chart, false)};
-    ImVec2 label = ImGui::CalcTextSize(chart->x_label);
-    put_text(list, ImVec2(area.high.x - label.x, area.high.y + line + gap / 2), 0, TEXT,
-             chart->x_label);
-    draw_chart_grid(list, area);
-    draw_chart_front(list, chart, area);
-    draw_chart_points(list, chart, area);
+    if (area.high.y - area.low.y > PLOT_LINES_MINIMUM * line) { // Else the list alone has room.
+        ImVec2 label = ImGui::CalcTextSize(chart->x_label);
+        put_text(list, ImVec2(area.high.x - label.x, area.high.y + 1.5F * line + gap / 2), 0, TEXT,
+                 chart->x_label);
+        draw_chart_grid(list, area);
+        draw_chart_front(list, chart, area);
+        draw_chart_points(list, chart, area);
+    }
+    end_value(list);
 }
 
 } // extern "C"

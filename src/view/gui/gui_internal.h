@@ -9,6 +9,7 @@
 #define DIOPTRE_VIEW_GUI_GUI_INTERNAL_H
 
 #include "view/gui/gui.h"
+#include "view/gui/gui_draw.h"
 #include "view/gui/typeface.h"
 
 #include <cmath>
@@ -49,9 +50,14 @@ struct Gui {
     const Typeface *typeface; /**< The typeface. */
     SDL_Texture *letters;     /**< The letters; owned; null: none. */
     float letter_size;        /**< Their height, pixels of the screen; 0: none. */
+    KeptPanel *kept;          /**< The panels that are kept as pictures; owned. */
     ImFont *heading;          /**< The letters of headings. */
     SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
+    bool has_keyboard;        /**< Whether the inspector has the keyboard. */
+    bool is_inspecting;       /**< Whether this frame shows the inspector. */
+    bool has_text_input;      /**< Whether the system is asked for letters. */
+    bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
@@ -72,6 +78,9 @@ ImVec4 clipped(ImVec2 low, ImVec2 high);
 /** Records the label of the last widget, which is cut where the widget ends. */
 void record_label(const char *label);
 
+/** Records the label of the last widget, which stands at its right end. */
+void record_right_label(const char *label);
+
 /** @return The size of a text. @param width Width of lines; 0: they are not broken. */
 ImVec2 text_extent(const char *text, float width);
 
@@ -86,6 +95,13 @@ ImVec4 display_clip();
 
 /** Begins a window without a frame of its own. */
 void begin_window(const char *id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags);
+
+/** Begins what lies on the picture below all panels and lets the mouse through: a panel without a
+ *  ground, so that it is kept as a picture (see gui_draw.cpp). @return The list to draw into. */
+ImDrawList *begin_value(const char *id, ImVec2 low, ImVec2 high);
+
+/** Ends it. */
+void end_value(ImDrawList *list);
 
 /** @return A colour that is darker. */
 ImU32 darker(ImU32 color);

@@ -11,15 +11,17 @@ constexpr float LIGHT_RADIUS = 0.4F;
 /** Rays of the mark of a light. */
 constexpr int LIGHT_RAYS = 8;
 /** Width of the inspector of objects, in heights of letters. */
-constexpr float INSPECTOR_WIDTH = 15;
+constexpr float INSPECTOR_WIDTH = 16.5F;
 /** Width of a widget in it, in heights of letters. */
-constexpr float INSPECTOR_WIDGET_WIDTH = 8;
+constexpr float INSPECTOR_WIDGET_WIDTH = 7.2F;
 /** How much a pixel of a drag changes the brightness of a colour. */
 constexpr float COLOR_DRAG = 0.01F;
 /** Colours are rounded to this fraction of 1. */
 constexpr double COLOR_GRAINS = 10000;
 /** Bytes of the inspector's title with the final zero. */
 constexpr size_t INSPECTOR_TITLE_SIZE = 256;
+/** Bytes of a number with the final zero. */
+constexpr size_t NUMBER_SIZE = 64;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
 
@@ -48,16 +50,48 @@ bool drag_or_slide(const char *id, double *number, double high) {
                                          "%.3f", ImGuiSliderFlags_AlwaysClamp);
 }
 
-/** Writes a name with an outline. @param center Middle of its upper edge. */
+/** @return Whether a panel of the last frame lies on a part of the window. */
+bool is_covered(const ImRect &rect) {
+    bool is_covered = false;
+    for (const ImGuiWindow *window : ImGui::GetCurrentContext()->Windows) {
+        is_covered = is_covered || (window->WasActive && !window->Hidden &&
+                                    !window->IsFallbackWindow && window->Rect().Overlaps(rect));
+    }
+    return is_covered;
+}
+
+/** Writes a name with an outline, unless a panel lies there. @param center Middle of its upper
+ *  edge. */
 void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     ImVec2 size = ImGui::CalcTextSize(name);
     ImVec2 display = ImGui::GetIO().DisplaySize;
     float left = fminf(fmaxf(center.x - size.x / 2, 0), fmaxf(display.x - size.x, 0));
     float top = fminf(fmaxf(center.y, 0), fmaxf(display.y - size.y, 0));
+    if (is_covered(ImRect(left, top, left + size.x, top + size.y))) {
+        return;
+    }
     list->AddText(ImVec2(left + 1, top + 1), OUTLINE, name);
     list->AddText(ImVec2(left, top), TEXT, name);
     record_text(name, ImVec2(left, top), ImVec2(left + size.x, top + size.y), display_clip(),
                 ImGui::GetFontSize());
+}
+
+/** Records the numbers of the last widget, in the middle of their frames. @param left Left end of
+ *  the first frame. @param width Width of all frames. */
+void record_numbers(const double *numbers, int count, const char *format, ImVec2 left,
+                    float width) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, parts = static_cast<float>(count);
+    const float frame = floorf((width - gap * (parts - 1)) / parts);
+    for (int i = 0; i < count; i++) {
+        char text[NUMBER_SIZE];
+        snprintf(text, sizeof text, format, numbers[i]);
+        ImVec2 size = ImGui::CalcTextSize(text);
+        ImVec2 low(left.x + static_cast<float>(i) * (frame + gap), left.y);
+        ImVec2 high(low.x + frame, low.y + ImGui::GetFrameHeight());
+        ImVec2 at((low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2);
+        record_text(text, at, ImVec2(at.x + size.x, at.y + size.y), clipped(low, high),
+                    ImGui::GetFontSize());
+    }
 }
 
 } // namespace
@@ -106,9 +140,20 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
     ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    Gui *gui = current_gui();
+    if (gui->takes_focus) {
+        ImGui::SetNextWindowFocus();
+    }
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                     (gui->has_keyboard ? 0 : ImGuiWindowFlags_NoNav) |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    if (gui->takes_focus) {
+        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true); // Its first field is chosen.
+        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+        gui->takes_focus = false;
+    }
+    gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger.
     ImVec2 corner = ImGui::GetWindowPos();
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
@@ -123,8 +168,13 @@ void gui_inspector_end() {
 }
 
 bool gui_inspector_section(const char *label, bool is_open_at_first) {
-    return ImGui::CollapsingHeader(label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen
-                                                           : ImGuiTreeNodeFlags_None);
+    bool is_open = ImGui::CollapsingHeader(label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen
+                                                                   : ImGuiTreeNodeFlags_None);
+    ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(label);
+    ImVec2 at(low.x + ImGui::GetTreeNodeToLabelSpacing(), low.y + ImGui::GetStyle().FramePadding.y);
+    record_text(label, at, ImVec2(at.x + size.x, at.y + size.y),
+                clipped(low, ImGui::GetItemRectMax()), ImGui::GetFontSize());
+    return is_open;
 }
 
 bool gui_inspector_button(const char *label, const char *tooltip) {
@@ -137,11 +187,14 @@ bool gui_inspector_button(const char *label, const char *tooltip) {
 
 bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,
                       double speed, const char *tooltip) {
-    bool is_changed =
-        ImGui::DragScalarN(label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed),
-                           &low, &high, count > 1 ? "%.3g" : "%.4g",
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+    const char *format = count > 1 ? "%.3g" : "%.4g";
+    ImVec2 left = ImGui::GetCursorScreenPos();
+    bool is_changed = ImGui::DragScalarN(
+        label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed), &low, &high, format,
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+    record_right_label(label);
     show_tooltip(tooltip);
+    record_numbers(numbers, count, format, left, ImGui::CalcItemWidth());
     return is_changed;
 }
 
@@ -149,6 +202,7 @@ bool gui_edit_slider(const char *label, double *number, double low, double high,
                      const char *tooltip) {
     bool is_changed = ImGui::SliderScalar(label, ImGuiDataType_Double, number, &low, &high, "%.3f",
                                           ImGuiSliderFlags_AlwaysClamp);
+    record_right_label(label);
     show_tooltip(tooltip);
     return is_changed;
 }
@@ -177,6 +231,7 @@ bool gui_edit_color(const char *label, double rgb[3], double high, const char *t
     show_tooltip(tooltip);
     ImGui::SameLine(0, gap);
     ImGui::TextUnformatted(label);
+    record_right_label(label);
     ImGui::PopID();
     return is_scaled || is_picked;
 }
@@ -185,6 +240,7 @@ bool gui_edit_check(const char *label, double *number, const char *tooltip) {
     bool is_on = *number != 0;
     bool is_changed = ImGui::Checkbox(label, &is_on);
     *number = is_on ? 1 : 0;
+    record_right_label(label);
     show_tooltip(tooltip);
     return is_changed;
 }
@@ -197,6 +253,7 @@ bool gui_edit_choice(const char *label, double *number, const char *const *words
     }
     bool is_changed = ImGui::Combo(label, &chosen, words, count);
     *number = chosen;
+    record_right_label(label);
     show_tooltip(tooltip);
     return is_changed;
 }

@@ -79,6 +79,20 @@ void begin_window(const char *id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags f
     ImGui::Begin(id, nullptr, PANEL_FLAGS | ImGuiWindowFlags_NoFocusOnAppearing | flags);
 }
 
+ImDrawList *begin_value(const char *id, ImVec2 low, ImVec2 high) {
+    begin_window(id, low, ImVec2(high.x - low.x + 1, high.y - low.y + 1),
+                 ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->PushClipRect(low, high);
+    return list;
+}
+
+void end_value(ImDrawList *list) {
+    list->PopClipRect();
+    ImGui::End();
+}
+
 ImU32 darker(ImU32 color) {
     ImVec4 mixed = ImGui::ColorConvertU32ToFloat4(color);
     const float factor = 0.36F;

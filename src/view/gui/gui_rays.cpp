@@ -12,6 +12,8 @@ constexpr float LABEL_PADDING = 0.12F;
 constexpr float FLIGHT_WIDTH = 0.22F;
 /** Step by which rows of a list are moved to the right, in heights of letters. */
 constexpr float ROW_INDENT = 0.7F;
+/** Largest part of a list's width by which a row is moved. */
+constexpr float INDENT_FRACTION = 0.2F;
 
 } // namespace
 
@@ -36,22 +38,26 @@ void gui_list_text(const char *label, const char *text) {
 
 bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
                   bool is_selected, bool is_revealed) {
-    const float size = ImGui::GetFontSize(), left = ROW_INDENT * size * static_cast<float>(indent);
+    const float size = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
+    const float left =
+        fminf(ROW_INDENT * size * static_cast<float>(indent), INDENT_FRACTION * width);
     ImGui::PushID(number);
     ImVec2 corner = ImGui::GetCursorScreenPos();
-    bool is_clicked = ImGui::Selectable("##row", is_selected, 0, ImVec2(0, size));
+    float room = width - left - size;
+    bool is_clicked =
+        ImGui::Selectable("##row", is_selected, 0, ImVec2(0, text_extent(text, room).y));
     ImDrawList *list = ImGui::GetWindowDrawList();
     ImVec2 low(corner.x + left, corner.y + 0.2F * size);
     list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
                         IM_COL32(rgb[0], rgb[1], rgb[2], 255));
     list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
-    put_text(ImVec2(low.x + size, corner.y), 0, is_selected ? ACCENT : TEXT, text);
+    put_text(ImVec2(low.x + size, corner.y), room, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
-        ImGui::SetScrollHereY();
+        // Always the same place, wherever the list was scrolled to.
+        float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2 -
+                       ImGui::GetWindowPos().y + ImGui::GetScrollY();
+        ImGui::SetScrollY(floorf(fmaxf(0, middle - ImGui::GetWindowHeight() / 2)));
         gui_request_frames(current_gui()); // The list knows its height in the next one.
-    }
-    if (left + size + ImGui::CalcTextSize(text).x > ImGui::GetContentRegionAvail().x) {
-        show_tooltip(text);
     }
     ImGui::PopID();
     return is_clicked;
@@ -63,6 +69,7 @@ bool gui_list_check(const char *label, const unsigned char rgb[3], const char *t
     ImGui::PushStyleColor(ImGuiCol_CheckMark, IM_COL32(rgb[0], rgb[1], rgb[2], 255));
     bool is_clicked = ImGui::Checkbox(label, &is_on);
     ImGui::PopStyleColor();
+    record_right_label(label);
     show_tooltip(tooltip);
     return is_clicked;
 }

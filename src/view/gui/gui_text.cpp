@@ -28,6 +28,12 @@ const char *line_end(const char *text, float width) {
     return end;
 }
 
+/** @return The largest width of the text of a message. */
+float message_width() {
+    return ImGui::GetIO().DisplaySize.x - 2 * ImGui::GetFontSize() -
+           2 * ImGui::GetStyle().WindowPadding.x;
+}
+
 } // namespace
 
 void show_tooltip(const char *text) {
@@ -67,6 +73,14 @@ void record_label(const char *label) {
     float left = (low.x + high.x - size.x) / 2, top = (low.y + high.y - size.y) / 2;
     record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
                 ImGui::GetFontSize());
+}
+
+void record_right_label(const char *label) {
+    ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImVec2 size = ImGui::CalcTextSize(label);
+    float top = (low.y + high.y - size.y) / 2;
+    record_text(label, ImVec2(high.x - size.x, top), ImVec2(high.x, top + size.y),
+                clipped(low, high), ImGui::GetFontSize());
 }
 
 ImVec2 text_extent(const char *text, float width) {
@@ -109,7 +123,7 @@ float gui_text_size() {
     return ImGui::GetFontSize();
 }
 
-void gui_title(const char *text, GuiPoint top) {
+float gui_title(const char *text, GuiPoint top) {
     ImDrawList *list = ImGui::GetForegroundDrawList();
     ImFont *font = current_gui()->heading;
     const float size = TITLE_SIZE * ImGui::GetFontSize(), pad = PADDING * size;
@@ -120,6 +134,7 @@ void gui_title(const char *text, GuiPoint top) {
                         ImGui::GetColorU32(ImGuiCol_WindowBg), ROUNDING * size);
     list->AddText(font, size, at, ACCENT, text);
     record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), display_clip(), size);
+    return at.y + extent.y + pad;
 }
 
 void gui_heading(const char *text) {
@@ -137,10 +152,13 @@ void gui_paragraph(const char *text, GuiColor color, int lines) {
     ImGui::Dummy(size);
 }
 
+float gui_message_height(const char *text) {
+    return text_extent(text, message_width()).y + 2 * ImGui::GetStyle().WindowPadding.y;
+}
+
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side) {
     const ImVec2 pad = ImGui::GetStyle().WindowPadding;
-    float widest = ImGui::GetIO().DisplaySize.x - 2 * ImGui::GetFontSize() - 2 * pad.x;
-    ImVec2 size = text_extent(text, widest);
+    ImVec2 size = text_extent(text, message_width());
     ImVec2 whole(size.x + 2 * pad.x + 1, size.y + 2 * pad.y);
     ImVec2 corner(point.x - whole.x / 2, point.y - (side == GUI_ABOVE ? whole.y : 0));
     begin_window(id, corner, whole, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);

@@ -80,49 +80,9 @@ void draw_legend_bar(ImDrawList *list, const GuiLegend *legend, const LegendLayo
     }
 }
 
-} // namespace
-
-extern "C" {
-
-float gui_readout_height() {
-    return (1 + 2 * PADDING) * ImGui::GetFontSize();
-}
-
-void gui_readout(const char *text, const unsigned char rgb[3], GuiPoint corner) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
-    float size = ImGui::GetFontSize(), gap = PADDING * size;
-    float widest = ImGui::GetIO().DisplaySize.x - corner.x - 2 * size - 3 * gap;
-    ImVec2 area = text_extent(text, widest);
-    ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
-    ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
-    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
-    list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
-                        ImVec2(low.x + gap + 2 * size, high.y - gap),
-                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
-    put_text(list, ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), widest, TEXT, text);
-}
-
-void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is_right) {
-    ImDrawList *list = ImGui::GetBackgroundDrawList();
-    LegendLayout layout = legend_layout(legend, highest);
-    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
-    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
-    float width = layout.width + 2 * layout.gap;
-    ImVec2 low(is_right ? corner.x - width : corner.x, corner.y - height);
-    list->AddRectFilled(low, ImVec2(low.x + width, corner.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
-                        ROUNDING * layout.line);
-    ImVec2 at(low.x + layout.gap, low.y + layout.gap);
-    put_text(list, at, 0, ACCENT, legend->title);
-    at.y += layout.line;
-    if (legend->unit[0] != '\0') {
-        put_text(list, at, 0, TEXT, legend->unit);
-        at.y += layout.line;
-    }
-    at.y += layout.gap;
-    if (legend->bar_count > 0) {
-        draw_legend_bar(list, legend, layout, at);
-        at.y += layout.bar + layout.gap;
-    }
+/** Draws the colours of a legend that are not on its bar, and its notes. */
+void draw_legend_list(ImDrawList *list, const GuiLegend *legend, const LegendLayout &layout,
+                      ImVec2 at) {
     for (int i = 0; i < legend->swatch_count; i++) {
         const GuiSwatch &swatch = legend->swatches[i];
         if (swatch.position < 0) {
@@ -139,6 +99,75 @@ void gui_legend(const GuiLegend *legend, GuiPoint corner, float highest, bool is
     }
 }
 
+/** Draws a legend. @param rect Where it lies. */
+void draw_legend(const char *id, const GuiLegend *legend, const LegendLayout &layout,
+                 const ImRect &rect) {
+    ImDrawList *list = begin_value(id, rect.Min, rect.Max);
+    list->AddRectFilled(rect.Min, rect.Max, ImGui::GetColorU32(ImGuiCol_WindowBg),
+                        ROUNDING * layout.line);
+    ImVec2 at(rect.Min.x + layout.gap, rect.Min.y + layout.gap);
+    put_text(list, at, 0, ACCENT, legend->title);
+    at.y += layout.line;
+    if (legend->unit[0] != '\0') {
+        put_text(list, at, 0, TEXT, legend->unit);
+        at.y += layout.line;
+    }
+    at.y += layout.gap;
+    if (legend->bar_count > 0) {
+        draw_legend_bar(list, legend, layout, at);
+        at.y += layout.bar + layout.gap;
+    }
+    draw_legend_list(list, legend, layout, at);
+    end_value(list);
+}
+
+/** @return The width of the text of a readout. @param left Its left end. */
+float readout_width(float left) {
+    const float size = ImGui::GetFontSize();
+    return ImGui::GetIO().DisplaySize.x - left - 2 * size - 3 * PADDING * size;
+}
+
+} // namespace
+
+extern "C" {
+
+float gui_readout_height(const char *text) {
+    return text_extent(text, readout_width(0)).y + 2 * PADDING * ImGui::GetFontSize();
+}
+
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner) {
+    float size = ImGui::GetFontSize(), gap = PADDING * size;
+    float widest = readout_width(corner.x);
+    ImVec2 area = text_extent(text, widest);
+    ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
+    ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
+    ImDrawList *list = begin_value(id, low, high);
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
+                        ImVec2(low.x + gap + 2 * size, high.y - gap),
+                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+    put_text(list, ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), widest, TEXT, text);
+    end_value(list);
+}
+
+GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place) {
+    LegendLayout layout = legend_layout(legend, place->highest);
+    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
+    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
+    float width = layout.width + 2 * layout.gap;
+    const GuiPoint &corner = place->corner;
+    ImVec2 low(place->is_right ? corner.x - width : corner.x, corner.y - height);
+    for (int i = 0; i < place->taken_count; i++) {
+        const GuiRect &taken = place->taken[i];
+        ImRect rect(taken.x, taken.y, taken.x + taken.width, taken.y + taken.height);
+        if (taken.height > 0 && rect.Overlaps(ImRect(low, ImVec2(low.x + width, corner.y)))) {
+            return GuiRect{corner.x, corner.y, 0, 0};
+        }
+    }
+    draw_legend(id, legend, layout, ImRect(low, ImVec2(low.x + width, corner.y)));
+    return GuiRect{low.x, low.y, width, height};
+}
+
 void gui_ring(GuiPoint center, float radius) {
     ImDrawList *list = ImGui::GetBackgroundDrawList();
     ImVec2 middle(center.x, center.y);
@@ -146,18 +175,18 @@ void gui_ring(GuiPoint center, float radius) {
     list->AddCircle(middle, radius, IM_COL32(255, 255, 255, 255), 0, 2);
 }
 
-void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top) {
+void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top, float bottom) {
     ImDrawList *list = ImGui::GetBackgroundDrawList();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize(), gap = PADDING * line;
     const float columns = static_cast<float>(pixels->columns);
     const float rows = static_cast<float>(pixels->rows);
-    float cell = fmaxf(floorf(fminf(line, 0.45F * display.y / rows)), 3);
+    float cell = fmaxf(floorf(fminf(line, 0.45F * (bottom - top) / rows)), 3);
     float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
     float height = cell * rows + line + 3 * gap;
     float left =
         point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
-    float upper = point.y + height / 2 < display.y ? point.y - height / 2 : display.y - height;
+    float upper = point.y + height / 2 < bottom ? point.y - height / 2 : bottom - height;
     ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
     list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
                         ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);

@@ -124,7 +124,11 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     if (event->type == SDL_MOUSEBUTTONDOWN) {
         window_present(&app->window); // The widgets learn where the mouse is.
     }
-    return gui_handle_event(app->window.gui, event);
+    bool is_for_widget = gui_handle_event(app->window.gui, event);
+    if (is_for_widget && (event->type == SDL_KEYDOWN || event->type == SDL_KEYUP)) {
+        window_present(&app->window); // A key that goes up before the next frame would be lost.
+    }
+    return is_for_widget;
 }
 
 /** Handles an event while the help is open. @return Whether it was for the help. */

@@ -15,7 +15,8 @@ static const double PINCH_NOTCHES = 30;
 /** Screen units that the mouse may move during a click. */
 static const int CLICK_TOLERANCE = 3;
 
-/* --- the left button: clicks and drags ----------------------------------------------------------- */
+/* --- the left button: clicks and drags -----------------------------------------------------------
+ */
 
 /** @return Width of the window, screen units. */
 static int mouse_window_width(const App *app) {
@@ -252,7 +253,8 @@ void mouse_on_button(App *app, const SDL_MouseButtonEvent *button) {
     }
 }
 
-void mouse_on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
+/** Does what a motion does with what the mouse holds. */
+static void drag(App *app, const SDL_MouseMotionEvent *mouse) {
     int width = mouse_window_width(app);
     if (app->input.is_pinching) {
         return; // The mouse is one of two fingers.
@@ -277,6 +279,13 @@ void mouse_on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
         double right = mouse->xrel * degrees, up = -mouse->yrel * degrees;
         recorder_on_step(app, "turn(%.17g, %.17g)", right, up);
         app_turn(app, right, up);
+    }
+}
+
+void mouse_on_motion(App *app, const SDL_MouseMotionEvent *mouse) {
+    drag(app, mouse);
+    if (app->window.viewports[0].needs_restart) {
+        latency_on_input(&app->window.latency, input_event_time(mouse->timestamp));
     }
 }
 

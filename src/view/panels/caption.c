@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Captions with a heading: the lesson's title and the caption's number; notices.
+ * @brief Captions with a heading that says which key to press; notices.
  */
 #include "view/panels/caption.h"
 
@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/** Bytes of a caption's heading; a longer one is cut. */
-enum { HEADING_SIZE = 256 };
 /** Widest caption, in heights of letters: lines that are easy to read. */
 static const float WIDTH_MAXIMUM = 34;
+/** Widest caption at the left or right edge, fraction of the picture. */
+static const float SIDE_WIDTH = 0.34F;
 
 void caption_close(Caption *caption) {
     caption->text = (LessonText){0};
@@ -23,25 +23,11 @@ bool caption_is_open(const Caption *caption) {
     return caption->text.english || caption->text.french;
 }
 
-/** Writes the heading. */
-static void write_heading(const Caption *caption, char text[HEADING_SIZE]) {
-    const char *title = lesson_text_localized(&caption->title, language_is_french());
-    const char *hint = caption->hint ? gettext(caption->hint) : "";
-    const char *gap = caption->hint && caption->number > 0 ? " — " : "";
-    if (caption->number > 0) {
-        snprintf(text, HEADING_SIZE, "%s%s%zu/%zu%s%s", title, *title ? ", " : "", caption->number,
-                 caption->count, gap, hint);
-    } else {
-        snprintf(text, HEADING_SIZE, "%s", hint);
-    }
-}
-
 /** Writes the rows. @return Their number. */
-static size_t write_rows(const Caption *caption, char heading[HEADING_SIZE], GuiRow rows[2]) {
+static size_t write_rows(const Caption *caption, GuiRow rows[2]) {
     size_t count = 0;
-    write_heading(caption, heading);
-    if (heading[0] != '\0') {
-        rows[count++] = (GuiRow){.is_heading = true, .text = heading};
+    if (caption->hint) {
+        rows[count++] = (GuiRow){.is_heading = true, .text = gettext(caption->hint)};
     }
     rows[count++] = (GuiRow){.text = lesson_text_localized(&caption->text, language_is_french())};
     return count;
@@ -55,20 +41,33 @@ static GuiRect narrowed(const GuiRect *room) {
     return part;
 }
 
-float caption_height(const Caption *caption, float width) {
-    char heading[HEADING_SIZE];
+/** @return The place of a caption on a side of a room. */
+static GuiPlace place_on(const GuiRect *room, CaptionSide side) {
+    if (side == CAPTION_BELOW || side == CAPTION_ABOVE) {
+        return (GuiPlace){narrowed(room), 0.5F, side == CAPTION_ABOVE ? 0 : 1};
+    }
+    GuiRect part = *room;
+    part.width = SDL_min(SIDE_WIDTH * room->width, WIDTH_MAXIMUM * gui_text_size());
+    part.x += side == CAPTION_RIGHT ? room->width - part.width : 0;
+    return (GuiPlace){part, side == CAPTION_RIGHT ? 1 : 0, 0.5F};
+}
+
+GuiRect caption_rect(const Caption *caption, const GuiRect *room, CaptionSide side) {
     GuiRow rows[2];
-    size_t count = write_rows(caption, heading, rows);
-    return gui_rows_panel_height(rows, count, SDL_min(width, WIDTH_MAXIMUM * gui_text_size()));
+    size_t count = write_rows(caption, rows);
+    GuiPlace place = place_on(room, side);
+    GuiRect rect = place.room;
+    rect.height = gui_rows_panel_height(rows, count, rect.width);
+    rect.y += place.y * (room->height - rect.height);
+    return rect;
 }
 
 GuiRect caption_show(const Caption *caption, const GuiRect *room) {
-    char heading[HEADING_SIZE];
     GuiRow rows[2];
     GuiRect extent = {0};
     if (caption_is_open(caption)) {
-        size_t count = write_rows(caption, heading, rows);
-        const GuiPlace place = {narrowed(room), 0.5F, caption->is_above ? 0 : 1};
+        size_t count = write_rows(caption, rows);
+        const GuiPlace place = place_on(room, caption->side);
         gui_rows_panel("caption", &place, rows, count, (GuiCell){-1, 0}, &extent);
     }
     return extent;

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Text over the picture: captions of lessons, notices of errors and notes.
+ * @brief Text over the picture: the caption that is typed, notices of errors and notes.
  */
 #ifndef DIOPTRE_VIEW_PANELS_CAPTION_H
 #define DIOPTRE_VIEW_PANELS_CAPTION_H
@@ -8,14 +8,20 @@
 #include "dioptre/lesson.h"
 #include "view/gui/gui.h"
 
-/** A caption of a lesson. Starts as `{0}`: none. */
+/** Where a caption lies on the picture. */
+typedef enum {
+    CAPTION_BELOW,     /**< At the lower edge. */
+    CAPTION_ABOVE,     /**< At the upper edge. */
+    CAPTION_LEFT,      /**< At the left edge. */
+    CAPTION_RIGHT,     /**< At the right edge. */
+    CAPTION_SIDE_COUNT /**< Number of sides. */
+} CaptionSide;
+
+/** A caption that is typed for a lesson. Starts as `{0}`: none. */
 typedef struct Caption {
-    LessonText text;  /**< Its text, owned by the lesson; none: it is closed. */
-    LessonText title; /**< Title of the lesson. */
-    size_t number;    /**< Which caption of the lesson, from 1; 0: it belongs to no lesson. */
-    size_t count;     /**< Number of captions of the lesson. */
+    LessonText text;  /**< Its text, not owned; none: it is closed. */
     const char *hint; /**< Which key to press now, in English; NULL: no hint. */
-    bool is_above;    /**< Whether it lies at the upper edge of the picture. */
+    CaptionSide side; /**< Where it lies. */
 } Caption;
 
 /** Closes the caption. */
@@ -24,8 +30,8 @@ void caption_close(Caption *caption);
 /** @return Whether there is a caption. */
 bool caption_is_open(const Caption *caption);
 
-/** @return The height of the caption in a room of some width. */
-float caption_height(const Caption *caption, float width);
+/** @return Where the caption lies in a room, if it is on a side. */
+GuiRect caption_rect(const Caption *caption, const GuiRect *room, CaptionSide side);
 
 /** Shows the caption over the picture, if there is one. @return Where it lies. */
 GuiRect caption_show(const Caption *caption, const GuiRect *room);

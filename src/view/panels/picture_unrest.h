@@ -7,12 +7,16 @@
 
 #include "view/window/viewport.h"
 
-/**
- * @return The variance of brightness in a strip of the picture on screen, of a few hundred pixels;
- *         0 before the first pass.
- * @param top     Upper end, fraction of the picture's height.
- * @param bottom  Lower end.
- */
-double picture_unrest(const Viewport *viewport, double top, double bottom);
+/** A part of a picture, fractions of its width and height; what lies outside counts as black. */
+typedef struct PicturePart {
+    double left;   /**< Left end. */
+    double top;    /**< Upper end. */
+    double right;  /**< Right end. */
+    double bottom; /**< Lower end. */
+} PicturePart;
+
+/** @return The variance of brightness in a part of the picture on screen, of a few hundred pixels;
+ *          0 before the first pass. */
+double picture_unrest(const Viewport *viewport, const PicturePart *part);
 
 #endif

@@ -5,7 +5,7 @@
 #include "view/panels/ray_view.h"
 
 /** Frames in which the list scrolls to the chosen ray: the first one learns its height. */
-enum { REVEAL_FRAMES = 2 };
+enum { REVEAL_FRAMES = 4 };
 /** Degrees per second that held keys turn the second camera. */
 static const double TURN_PER_SECOND = 45;
 /** Factor of the zoom per second of a held key. */

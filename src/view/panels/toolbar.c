@@ -146,6 +146,8 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
         command_button(toolbar, content, gettext("magnifier"), "magnifier",
                        content->shows_magnifier);
+        command_button(toolbar, content, "↩", "undo", false);
+        command_button(toolbar, content, "↪", "redo", false);
         command_button(toolbar, content, "↺", "as at first", false);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
         command_button(toolbar, content, "●", "record", content->is_recording);

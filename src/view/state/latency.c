@@ -10,7 +10,7 @@
 /** First capacity; it is doubled when it is full. */
 enum { FIRST_CAPACITY = 128 };
 
-void latency_on_key(Latency *latency, double time) {
+void latency_on_input(Latency *latency, double time) {
     if (latency->pending_count < LATENCY_PENDING_MAXIMUM) {
         latency->pending[latency->pending_count++] = time;
     }

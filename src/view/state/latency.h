@@ -29,8 +29,9 @@ typedef struct LatencySummary {
     double worst;  /**< Largest latency, seconds; 0 without keys. */
 } LatencySummary;
 
-/** A key went down. Not counted beyond #LATENCY_PENDING_MAXIMUM keys. */
-void latency_on_key(Latency *latency, double time);
+/** A key went down, or the mouse has dragged something. Not counted beyond
+ *  #LATENCY_PENDING_MAXIMUM of them. */
+void latency_on_input(Latency *latency, double time);
 
 /** A render begins that shows all waiting keys. */
 void latency_on_draw_started(Latency *latency);

@@ -1,0 +1,110 @@
+#!/bin/sh
+# Writes the figures of README.md and README.fr.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
+# the tables of doc/figures. `make bench` and `make peers` call it after measuring.
+#   doc/figures.sh [FOLDER]: writes the two files there instead.
+set -eu
+export LC_ALL=C.UTF-8
+cd "$(dirname "$0")/.."
+folder=${1:-.}
+
+# fill FILE LANGUAGE: the file with its figures.
+fill() {
+    awk -F, -v language="$2" '
+# words(english, french): what the language says.
+function words(english, french) { return language == "fr" ? french : english }
+# number(x): three digits that count, as the language writes them.
+function number(x,  text) {
+    if (x == "") return "–"
+    text = x >= 99.5 ? sprintf("%d", x + 0.5) : x >= 9.95 ? sprintf("%.1f", x) : sprintf("%.2g", x)
+    if (language == "fr") sub(/\./, ",", text)
+    return text
+}
+# grouped(x): a whole number in groups of three digits.
+function grouped(x,  text) {
+    for (text = ""; length(x) > 3; x = substr(x, 1, length(x) - 3)) text = " " substr(x, length(x) - 2) text
+    return x text
+}
+# times(theirs, ours): how many times as long theirs takes.
+function times(theirs, ours) { return ours == "" ? "–" : number(theirs / ours) }
+# name(key): what a scene or a mesh is called.
+function name(key) {
+    if (key == "box") return words("the box", "la boîte")
+    if (key == "clear-box") return words("the box with clear glass, which Tachyon draws too", "la boîte au verre qui ne réfracte pas, que Tachyon dessine aussi")
+    if (key == "shapes") return words("every simple shape", "toutes les formes simples")
+    if (key == "spot") return words("a mesh, twice", "un maillage, deux fois")
+    if (key == "glass-box") return words("the box, with a glass ball, a bubble, a tinted pane", "la boîte, avec une boule de verre, une bulle, une vitre teintée")
+    if (key == "glass") return words("nothing but mirrors and glass, two lights", "rien que des miroirs et du verre, deux lumières")
+    if (key == "pictures") return words("a map on a sphere, a glass ball, a panorama", "une carte sur une sphère, une boule de verre, un panorama")
+    if (key == "sun") return words("the light of a sun", "la lumière d’un soleil")
+    if (key == "fading") return words("lights that weaken with the square of the distance", "des lumières qui faiblissent avec le carré de la distance")
+    if (key == "soft") return words("soft shadows: 4096 rays per pixel, 4096 lights in POV-Ray", "des ombres douces : 4096 rayons par pixel, 4096 lumières pour POV-Ray")
+    if (key == "endless-frames") return words("frames of cubes without end", "cadres de cubes sans fin")
+    if (key == "menger-sponge") return words("Menger sponge", "éponge de Menger")
+    if (key == "turned-frame") return words("turned frame of a cube", "cadre d’un cube, tourné")
+    if (key == "stanford-bunny") return words("Stanford bunny", "lapin de Stanford")
+    if (key == "dragon-871k") return words("Stanford dragon", "dragon de Stanford")
+    return key
+}
+# heads(names, count): the head of a table.
+function heads(cells,  count, row) { print "| " cells " |"; count = split(cells, row, " [|] "); printf "|"; while (count-- > 0) printf "---|"; print "" }
+# measured(table): where and when a table was measured.
+function measured(table,  parts) {
+    split(machine[table], parts, ",")
+    print words("Measured on ", "Mesurés sur ") parts[1] ", " parts[2] ", " parts[3] (parts[4] == "" ? "" : "," parts[4]) ".\n"
+}
+function table_of(what,  i, cell, other, best) {
+    measured(what == "speed" ? "speed" : what)
+    if (what == "engines") {
+        heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un pas près | à plus, contre `f128x1`"))
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| `" cell[1] "` | " cell[2] " | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " grouped(cell[7]) " | " grouped(cell[8]) " |"
+        }
+    } else if (what == "speed") {
+        heads(words("scene | peer | its ms per picture | `f32x8`, ms | `f32x16`, ms | times `f32x8` | times `f32x16`", "scène | comparé à | ses ms par image | `f32x8`, ms | `f32x16`, ms | fois `f32x8` | fois `f32x16`"))
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| " name(cell[1]) " | " (cell[2] == "povray" ? "POV-Ray" : "Tachyon") " | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " times(cell[3], cell[4]) " | " times(cell[3], cell[5]) " |"
+        }
+    } else if (what == "pictures") {
+        heads(words("scene | pixels | off by more than a step from POV-Ray | of them on no edge", "scène | pixels | écartés de plus d’un pas de POV-Ray | dont sur aucune arête"))
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| " name(cell[1]) " | " grouped(cell[2]) " | " grouped(cell[3]) " | " grouped(cell[4]) " |"
+        }
+    } else if (what == "meshes") {
+        heads(words("mesh | engine | camera rays | random rays | shadow rays | building | bytes per triangle, Embree’s", "maillage | moteur | rayons de la caméra | au hasard | d’ombre | construction | octets par triangle, Embree"))
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| " (cell[1] == "spot" ? "Spot" : name(cell[1])) " | `" cell[2] "` | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " number(cell[6]) " | " number(cell[7]) ", " number(cell[8]) " |"
+        }
+    } else if (what == "marching") {
+        heads(words("scene | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels off by more than a step", "scène | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels écartés de plus d’un pas"))
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| " name(cell[1]) " | " number(cell[2]) " | " number(cell[3]) " | " number(cell[4]) " | " number(100 * cell[6] / cell[5]) " % |"
+        }
+    }
+}
+FILENAME ~ /\.csv$/ {
+    if (FNR == 1) { table = FILENAME; sub(/.*\//, "", table); sub(/\.csv$/, "", table); machine[table] = substr($0, 3) }
+    else if (FNR > 2) row[table, ++rows[table]] = $0
+    next
+}
+/^<!-- figures: / {
+    what = $0; sub(/^<!-- figures: /, "", what); sub(/ -->$/, "", what)
+    print; print ""
+    if (!(what in rows)) { print "figures: there is no table " what > "/dev/stderr"; exit failed = 1 }
+    table_of(what)
+    print ""
+    inside = 1
+    next
+}
+/^<!-- end -->$/ { inside = 0 }
+!inside
+END { exit failed }
+' doc/figures/*.csv "$1" >"$folder/$1.new"
+    mv "$folder/$1.new" "$folder/$1"
+}
+fill README.md en
+fill README.fr.md fr

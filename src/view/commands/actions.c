@@ -1,0 +1,410 @@
+/**
+ * @file
+ * @brief What the commands do.
+ */
+#include "view/commands/actions.h"
+
+#include "base/language.h"
+#include "dioptre/scene.h"
+#include "view/commands/current_scene.h"
+#include "view/commands/edits.h"
+#include "view/commands/recorder.h"
+#include "view/state/scene_text.h"
+
+#include <libintl.h>
+#include <stdlib.h>
+
+/** How far a key moves the bar between two pictures, as a fraction of the window's width. */
+static const double BAR_STEP = 0.02;
+/** Seconds in which the program must be left again to end a lesson. */
+static const double CONFIRMATION_SECONDS = 4;
+
+/* --- time and view ---------------------------------------------------------------------------- */
+
+void action_select_next_light(App *app, int argument) {
+    (void)argument;
+    size_t count = app->scene->light_count;
+    app->selected_light = count > 0 ? (app->selected_light + 1) % count : 0;
+    if (count > 1) {
+        app_clear_status(app);
+    } else {
+        app_set_status(app, count == 1 ? N_("there is one light") : N_("there is no light"));
+    }
+}
+
+/** Reports that the scene does not depend on time. */
+static void show_no_time_status(App *app) {
+    app_set_status(app, "this scene does not ask for the time t");
+}
+
+void action_toggle_time(App *app, int argument) {
+    (void)argument;
+    if (!app_is_animated(app)) {
+        show_no_time_status(app);
+    } else if (app->timeline.is_running) {
+        timeline_pause(&app->timeline, app_clock(app));
+    } else {
+        timeline_run(&app->timeline, app_clock(app));
+    }
+    app->title.next_update_time = 0;
+}
+
+void action_step_time(App *app, int steps) {
+    if (app_is_animated(app)) {
+        timeline_step(&app->timeline, steps, app_clock(app));
+    } else {
+        show_no_time_status(app);
+    }
+}
+
+void action_toggle_walking(App *app, int argument) {
+    (void)argument;
+    bool is_walking = app->input.camera_motion == MOTION_FLY;
+    app->input.camera_motion = is_walking ? MOTION_WALK : MOTION_FLY;
+    app_set_status(app, is_walking ? N_("walking: forward stays at one height")
+                                   : N_("flying: forward is where the camera looks"));
+}
+
+void action_reset_view(App *app, int argument) {
+    (void)argument;
+    app_reset_view(app);
+}
+
+/* --- how the picture is drawn ----------------------------------------------------------------- */
+
+/** Shows the settings of the active picture in the title. */
+static void show_settings_status(App *app) {
+    RenderSettings settings = window_requested_settings(&app->window);
+    app_set_status(app, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
+                   settings.engine->name, offset_strategy_names[settings.trace.offset],
+                   settings.trace.epsilon, settings.trace.depth, settings.samples,
+                   gettext(light_mode_name(settings.lighting)));
+}
+
+/** @return Whether rays march through any shape of a scene. */
+static bool has_marched_shape(const Scene *scene) {
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        if (keyword_has_field(scene_shape_keywords[scene->shapes[i].class_index])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void action_set_layer(App *app, int layer) {
+    window_set_layer(&app->window, (Layer)layer);
+    if (layer == LAYER_STEPS && !has_marched_shape(app->scene)) {
+        app_set_status(app, "this scene has no distance field: no ray marches");
+    }
+}
+
+/** Changes one setting of the active picture. */
+static void change_setting(App *app, SettingsChangeFn *change, int step) {
+    window_override_setting(&app->window, change, step);
+    show_settings_status(app);
+}
+
+void action_change_engine(App *app, int step) {
+    change_setting(app, settings_override_engine, step);
+}
+
+void action_change_offset(App *app, int step) {
+    change_setting(app, settings_override_offset, step);
+}
+
+void action_change_epsilon(App *app, int factor) {
+    change_setting(app, settings_override_epsilon, factor);
+}
+
+void action_change_depth(App *app, int step) {
+    change_setting(app, settings_override_depth, step);
+}
+
+void action_change_samples(App *app, int step) {
+    change_setting(app, settings_override_samples, step);
+}
+
+void action_change_lighting(App *app, int step) {
+    change_setting(app, settings_override_lighting, step);
+}
+
+void action_change_pixel(App *app, int step) {
+    window_override_setting(&app->window, settings_override_pixel, step);
+    RenderSettings settings = window_requested_settings(&app->window);
+    app_set_status(app, "rays go %s", gettext(pixel_point_name(settings.trace.pixel_point)));
+}
+
+void action_change_methods(App *app, int step) {
+    window_override_setting(&app->window, settings_override_methods, step);
+    RenderSettings settings = window_requested_settings(&app->window);
+    app_set_status(app, "%s (%s)", gettext(method_set_name(settings.method_set)),
+                   gettext(method_set_effect(settings.method_set)));
+}
+
+void action_reset_settings(App *app, int argument) {
+    (void)argument;
+    window_reset_overrides(&app->window);
+    show_settings_status(app);
+}
+
+void action_toggle_settings(App *app, int argument) {
+    (void)argument;
+    window_toggle_settings(&app->window);
+}
+
+void action_cycle_split(App *app, int step) {
+    window_cycle_split(&app->window, step);
+}
+
+void action_swap_side(App *app, int argument) {
+    (void)argument;
+    window_swap_active(&app->window);
+}
+
+void action_move_bar(App *app, int direction) {
+    window_move_bar(&app->window, app->window.split.bar_position + direction * BAR_STEP);
+}
+
+void action_toggle_chart(App *app, int argument) {
+    (void)argument;
+    window_toggle_chart(&app->window);
+}
+
+void action_toggle_magnifier(App *app, int argument) {
+    (void)argument;
+    window_toggle_magnifier(&app->window);
+}
+
+/* --- the rays of one pixel -------------------------------------------------------------------- */
+
+void action_toggle_rays(App *app, int argument) {
+    (void)argument;
+    ray_view_toggle(&app->window.ray_view);
+    window_present(&app->window);
+}
+
+void action_select_ray(App *app, int step) {
+    ray_view_select_ray(&app->window.ray_view, step);
+}
+
+void action_fly_ray(App *app, int argument) {
+    (void)argument;
+    ray_view_fly(&app->window.ray_view, clock_now_seconds());
+}
+
+void action_toggle_ray_pane(App *app, int pane) {
+    ray_view_toggle_pane(&app->window.ray_view, (RayPane)pane);
+}
+
+void action_turn_arrows(App *app, int argument) {
+    (void)argument;
+    ray_view_turn_arrows(&app->window.ray_view);
+}
+
+void action_toggle_ray_kind(App *app, int kind) {
+    ray_view_toggle_kind(&app->window.ray_view, (RayType)kind);
+}
+
+/* --- objects ---------------------------------------------------------------------------------- */
+
+void action_undo(App *app, int argument) {
+    (void)argument;
+    edits_undo(app);
+}
+
+void action_redo(App *app, int argument) {
+    (void)argument;
+    edits_redo(app);
+}
+
+void action_copy_object(App *app, int argument) {
+    (void)argument;
+    edits_copy(app);
+}
+
+void action_write_object(App *app, int argument) {
+    (void)argument;
+    edits_write(app);
+}
+
+void action_select_thing(App *app, int step) {
+    edits_select_next(app, step);
+}
+
+void action_take_keyboard(App *app, int argument) {
+    (void)argument;
+    if (app->window.object_inspector.number == 0) {
+        edits_select_next(app, 1);
+    }
+    if (app->window.object_inspector.number > 0 && gui_give_keyboard(app->window.gui)) {
+        window_present(&app->window);
+        app_set_status(app, "arrows: a field; Space, Enter: change it; Esc: the picture's keys");
+    }
+}
+
+void action_save_copy(App *app, int argument) {
+    (void)argument;
+    edits_save_copy(app);
+}
+
+/* --- the program ------------------------------------------------------------------------------ */
+
+void action_request_snapshot(App *app, int argument) {
+    (void)argument;
+    app->wants_snapshot = true;
+    timeline_pause(&app->timeline, app_clock(app));
+    app_set_status(app, "the snapshot waits for the last pass");
+}
+
+void action_save_screen(App *app, int argument) {
+    (void)argument;
+    Error error = {0};
+    if (!app_save_screen(app, &error)) {
+        app_report_error(app, &error);
+    }
+}
+
+void action_copy_view(App *app, int argument) {
+    (void)argument;
+    char *text = scene_text_create(app->scene);
+    if (!text) {
+        app_set_status(app, "no memory for the view");
+        return;
+    }
+    puts(text);
+    fflush(stdout);
+    bool is_copied = SDL_SetClipboardText(text) == 0;
+    app_set_status(app, is_copied ? N_("camera and light can be pasted")
+                                  : N_("camera and light are printed"));
+    free(text);
+}
+
+void action_scale_text(App *app, int steps) {
+    window_scale_text(&app->window, steps);
+}
+
+void action_switch_language(App *app, int argument) {
+    (void)argument;
+    language_toggle();
+    app_set_status(app, "messages are in English");
+    current_scene_repeat_error(app);
+    window_invalidate_text(&app->window);
+    window_relayout_toolbar(&app->window);
+}
+
+void action_browse_scenes(App *app, int argument) {
+    (void)argument;
+    current_scene_browse(app);
+}
+
+void action_toggle_recording(App *app, int argument) {
+    (void)argument;
+    Error error = {0};
+    bool ok = app_is_recording(app) ? recorder_end(app, &error) : recorder_begin(app, &error);
+    if (!ok) {
+        app_report_error(app, &error);
+    }
+}
+
+void action_begin_caption(App *app, int argument) {
+    (void)argument;
+    recorder_begin_caption(app);
+}
+
+void action_toggle_help(App *app, int argument) {
+    (void)argument;
+    if (!help_toggle(&app->window.help)) {
+        app_set_status(app, "no font found: the help is on standard output");
+    }
+    window_present(&app->window);
+}
+
+void action_toggle_toolbar(App *app, int argument) {
+    (void)argument;
+    window_toggle_toolbar(&app->window);
+}
+
+void action_toggle_presentation(App *app, int argument) {
+    (void)argument;
+    window_toggle_presentation(&app->window);
+}
+
+void action_toggle_full_screen(App *app, int argument) {
+    (void)argument;
+    sdl_window_toggle_full_screen(&app->window.sdl);
+}
+
+void command_leave_program(App *app) {
+    double now = clock_now_seconds();
+    bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
+    if (!needs_confirmation || now < app->exit.confirmation_end) {
+        app->player.is_leaving = app_is_playing(app);
+        app->exit.is_requested = !app->player.is_leaving;
+        app->exit.confirmation_end = 0;
+        return;
+    }
+    app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
+    app_set_status(app, app_is_playing(app) ? N_("a lesson plays: leave again to end it")
+                                            : N_("a lesson is recorded: leave again to end it"));
+}
+
+/** Issues a command by its name. */
+static void issue(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
+void action_leave(App *app, int argument) {
+    (void)argument;
+    Window *window = &app->window;
+    bool is_full = SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP;
+    bool is_own = !app_is_playing(app);
+    if (gui_close_list(window->gui)) {
+        return;
+    }
+    if (window->help.is_open) {
+        action_toggle_help(app, 0);
+    } else if (app->player.lesson && is_own) {
+        app->player.is_leaving = true;
+    } else if (is_own && window->ray_view.is_open) {
+        issue(app, "rays");
+    } else if (is_own && window->settings_chart.is_open) {
+        issue(app, "chart");
+    } else if (is_own && window->object_inspector.number > 0) {
+        edits_close(app);
+    } else if (is_own && window->magnifier.is_on) {
+        issue(app, "magnifier");
+    } else if (is_own && window->split.mode != SPLIT_NONE) {
+        issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
+    } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
+        issue(app, "layer light");
+    } else if (is_full) {
+        action_toggle_full_screen(app, 0);
+    } else {
+        command_leave_program(app);
+    }
+}
+
+/* --- running ---------------------------------------------------------------------------------- */
+
+void command_run(App *app, const Command *command) {
+    command->run(app, command->argument);
+}
+
+void command_choose_ray(App *app, size_t ray) {
+    recorder_on_step(app, "ray(%zu)", ray);
+    app_choose_ray(app, ray);
+}
+
+void command_issue(App *app, const Command *command, double time) {
+    recorder_on_command(app, command, time);
+    if (!command_is_move(command)) {
+        command_run(app, command);
+        return;
+    }
+    // While a lesson is recorded, things move at the ticks of its clock.
+    if (!app_is_recording(app)) {
+        held_keys_press(&app->input.held_keys, command->move, time);
+    }
+    latency_on_input(&app->window.latency, time);
+    app->input.next_move_time = 0;
+}

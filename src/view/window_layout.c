@@ -1,0 +1,253 @@
+/**
+ * @file
+ * @brief Where things are in the window: bar, picture, lesson panel; how large letters are.
+ */
+#include "view/window_internal.h"
+
+#include <libintl.h>
+
+/** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
+ *  still 1/30 of the window, which can be read from the last row of a class. */
+static const float ROWS_BELOW_TOOLBAR = 26;
+/** Smallest height of letters, screen units. */
+static const float TEXT_SIZE_MINIMUM = 14;
+/** Largest part of the window's height for the bar. */
+static const double TOOLBAR_FRACTION_MAXIMUM = 0.25;
+/** Most times that the bar is laid out until its height and its letters agree. */
+enum { LAYOUTS_MAXIMUM = 4 };
+/** Factor of the size of letters in a presentation. */
+static const float PRESENTATION_SCALE = 1.4F;
+/** Width of the window beside the picture from which the lesson panel stands there, and not below,
+ *  in heights of letters. */
+static const double PANEL_WIDTH_MINIMUM = 12;
+/** Largest width of the lesson panel beside the picture, in heights of letters. */
+static const double PANEL_WIDTH_MAXIMUM = 20;
+/** Height of the lesson panel below the picture, in heights of letters. */
+static const double PANEL_HEIGHT = 8.5;
+
+/* --- where the picture is --------------------------------------------------------------------- */
+
+SDL_Rect window_picture_rect(const Window *window) {
+    SDL_Rect whole = window_area(window);
+    const RenderSettings *settings = &window->base_settings;
+    double ratio = (double)settings->width / settings->height;
+    SDL_Rect rect = whole;
+    rect.h = SDL_max(1, (int)(whole.w / ratio + 0.5));
+    if (rect.h > whole.h) {
+        rect.h = whole.h;
+        rect.w = SDL_clamp((int)(whole.h * ratio + 0.5), 1, whole.w);
+    }
+    rect.x += (whole.w - rect.w) / 2;
+    rect.y += (whole.h - rect.h) / 2;
+    return rect;
+}
+
+double window_pixels_per_unit(const Window *window) {
+    int width = 0, pixels = 0, height = 0;
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    sdl_window_size(&window->sdl, &pixels, &height);
+    return (double)pixels / SDL_max(1, width);
+}
+
+bool window_picture_position(const Window *window, int x, int y, double *right, double *down) {
+    double scale = window_pixels_per_unit(window);
+    SDL_Rect area = window_area(window);
+    SDL_Rect rect = window->ray_view.is_open ? ray_view_layout(&window->ray_view, &area).inset
+                                             : window_picture_rect(window);
+    *right = ((x + 0.5) * scale - rect.x) / rect.w;
+    *down = ((y + 0.5) * scale - rect.y) / rect.h;
+    return *right >= 0 && *right < 1 && *down >= 0 && *down < 1;
+}
+
+int window_toolbar_height(const Window *window) {
+    return window->gui
+               ? (int)((double)window->toolbar.height * window_pixels_per_unit(window) + 0.5)
+               : 0;
+}
+
+SDL_Rect window_split_off_panel(const Window *window, SDL_Rect *area) {
+    const RenderSettings *settings = &window->base_settings;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * window_pixels_per_unit(window);
+    double letter = text_scale * fmax(least, area->h / (double)ROWS_BELOW_TOOLBAR);
+    double beside = area->w - (double)area->h * settings->width / settings->height;
+    SDL_Rect panel = {0};
+    if (!window->gui || !window->lesson_panel.lesson) {
+        return panel;
+    }
+    panel = *area;
+    if (beside >= PANEL_WIDTH_MINIMUM * letter) {
+        panel.w = (int)fmin(beside, PANEL_WIDTH_MAXIMUM * letter);
+        area->w -= panel.w;
+        panel.x += area->w;
+        return panel;
+    }
+    // Its letters are those of a window without the panel.
+    letter = text_scale *
+             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
+    area->h = SDL_max(1, area->h - panel.h);
+    panel.y += area->h;
+    return panel;
+}
+
+SDL_Rect window_area_below_toolbar(const Window *window) {
+    SDL_Rect area = {.y = window->toolbar.is_folded ? 0 : window_toolbar_height(window)};
+    sdl_window_size(&window->sdl, &area.w, &area.h);
+    area.h = SDL_max(1, area.h - area.y);
+    return area;
+}
+
+SDL_Rect window_area(const Window *window) {
+    SDL_Rect area = window_area_below_toolbar(window);
+    window_split_off_panel(window, &area);
+    return area;
+}
+
+int window_used_height(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return SDL_max(0, height - window_area(window).h);
+}
+
+void window_size_below_toolbar(const Window *window, int *width, int *height) {
+    SDL_GetWindowSize(window->sdl.window, width, height);
+    *height -= (int)(window_used_height(window) / window_pixels_per_unit(window));
+}
+
+void window_set_size_below_toolbar(Window *window, int width, int height) {
+    height += (int)(window_used_height(window) / window_pixels_per_unit(window));
+    SDL_SetWindowSize(window->sdl.window, width, height);
+}
+
+SDL_Rect window_to_units(const Window *window, SDL_Rect rect) {
+    double scale = window_pixels_per_unit(window);
+    return (SDL_Rect){(int)(rect.x / scale), (int)(rect.y / scale), (int)(rect.w / scale),
+                      (int)(rect.h / scale)};
+}
+
+GuiRect window_area_units(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
+}
+
+GuiRect window_area_below_button(const Window *window) {
+    GuiRect area = window_area_units(window);
+    float hidden = SDL_max(0, window->toolbar.height - area.y);
+    area.y += hidden;
+    area.height = SDL_max(1, area.height - hidden);
+    return area;
+}
+
+float window_text_size(const Window *window) {
+    int width = 0, height = 0;
+    double scale = window->text_scale > 0 ? window->text_scale : 1;
+    scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
+    window_size_below_toolbar(window, &width, &height);
+    // Whole units: the bar keeps its height while the window gains a pixel.
+    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+}
+
+/* --- the size of the window ------------------------------------------------------------------- */
+
+/** @return Height of bar and lesson panel, pixels, when the picture keeps a height. @param picture
+ *  That height, pixels. */
+static int height_to_use(const Window *window, int picture) {
+    SDL_Rect area = window_area_below_toolbar(window);
+    bool is_below = window_split_off_panel(window, &area).y > area.y;
+    double text_scale = window->text_scale > 0 ? window->text_scale : 1;
+    double least = (double)TEXT_SIZE_MINIMUM * window_pixels_per_unit(window);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_BELOW_TOOLBAR);
+    return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
+}
+
+/** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
+ *  size. @return Whether the window has another size now. */
+static bool fit_window(Window *window) {
+    Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    int used = height_to_use(window, height - window->fitted_height);
+    int added = used - window->fitted_height;
+    if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED)) {
+        window->fitted_height = used;
+        return false;
+    }
+    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    int change = sdl_window_grow(&window->sdl, (int)(added / window_pixels_per_unit(window)));
+    window->fitted_height += (int)(change * window_pixels_per_unit(window));
+    return change != 0;
+}
+
+/** Has the bar laid out: it learns its height in one frame, and has it in the next. */
+static void layout_toolbar(Window *window) {
+    window_present(window);
+    window_present(window);
+}
+
+void window_relayout_toolbar(Window *window) {
+    layout_toolbar(window);
+    for (int i = 0; i < LAYOUTS_MAXIMUM && fit_window(window); i++) {
+        layout_toolbar(window); // Its letters follow the height below it.
+    }
+    window_on_resize(window);
+}
+
+/** @return Whether the bar takes too much of the window. */
+static bool is_toolbar_large(const Window *window) {
+    int width = 0, height = 0;
+    sdl_window_size(&window->sdl, &width, &height);
+    return window_area_below_toolbar(window).y > TOOLBAR_FRACTION_MAXIMUM * height;
+}
+
+bool window_fold_large_toolbar(Window *window) {
+    bool is_large = is_toolbar_large(window);
+    window->toolbar.is_folded = window->toolbar.is_folded || is_large;
+    return is_large;
+}
+
+/** Shows or hides the toolbar. @return false if the window is too small: it stays hidden. */
+static bool set_toolbar_folded(Window *window, bool is_folded) {
+    window->toolbar.is_folded = is_folded;
+    layout_toolbar(window);
+    bool is_too_small = window_fold_large_toolbar(window);
+    window_relayout_toolbar(window);
+    return !is_too_small;
+}
+
+void window_open_widgets(Window *window) {
+    window->gui = gui_create(window->sdl.window, window->sdl.renderer);
+    window->toolbar.is_folded = true;
+    if (window->gui && !window->state.is_playing) {
+        window_set_hint(window);
+        set_toolbar_folded(window, false);
+    } else if (window->gui) {
+        window_relayout_toolbar(window);
+    }
+}
+
+void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
+    bool is_other = !window->lesson_panel.lesson != !panel->lesson;
+    window->lesson_panel = *panel;
+    if (is_other && window->gui) {
+        window_relayout_toolbar(window);
+    } else if (window->gui) {
+        window_present(window);
+    }
+}
+
+void window_toggle_toolbar(Window *window) {
+    if (!set_toolbar_folded(window, !window->toolbar.is_folded)) {
+        window_set_toast(window, gettext("the window is too small for the toolbar"));
+    }
+}
+
+void window_toggle_presentation(Window *window) {
+    window->is_presenting = !window->is_presenting;
+    window->toolbar.is_folded = window->is_presenting;
+    window_relayout_toolbar(window);
+    if (window->gui) {
+        gui_set_ring(window->gui, window->is_presenting);
+    }
+    window_present(window);
+}

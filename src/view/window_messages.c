@@ -1,0 +1,125 @@
+/**
+ * @file
+ * @brief Messages on the picture: toasts, the hint at the start, the sign of a recording; and when
+ *        anything on it changes by itself.
+ */
+#include "view/window_internal.h"
+
+#include <libintl.h>
+#include <stdio.h>
+#include <string.h>
+
+/** Seconds that a message is shown. */
+static const double TOAST_SECONDS = 4;
+/** Seconds that the hint at the start is shown. */
+static const double HINT_SECONDS = 6;
+/** Room for the swatch beside the sign of a recording, in heights of letters. */
+static const float RECORDING_MARGIN = 3.5F;
+
+void window_set_toast(Window *window, const char *text) {
+    SDL_strlcpy(window->toast.text, text, sizeof window->toast.text);
+    window->toast.end_time = clock_now_seconds() + TOAST_SECONDS;
+    if (window->gui) {
+        window_present(window);
+    }
+}
+
+void window_end_toast(Window *window) {
+    window->toast.end_time = 0;
+}
+
+void window_set_hint(Window *window) {
+    static const char *const names[] = {"light up", "light left", "light down", "light right"};
+    char light[GUI_LABEL_SIZE] = "", help[GUI_LABEL_SIZE] = "";
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
+                       sizeof light);
+    }
+    help_key_names(command_find(window->help.commands, "help"), window->help.by_letter, help,
+                   sizeof help);
+    snprintf(window->hint.text, sizeof window->hint.text,
+             gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a thing to "
+                     "change it. Help: %s"),
+             light, help);
+    window->hint.end_time = clock_now_seconds() + HINT_SECONDS;
+}
+
+void window_end_hint(Window *window) {
+    window->hint.end_time = 0;
+}
+
+/** Removes a message whose time is over. @return Whether it was shown until now. */
+static bool toast_expire(Toast *toast, double now) {
+    bool is_over = toast->text[0] != '\0' && now >= toast->end_time;
+    if (is_over) {
+        toast->text[0] = '\0';
+    }
+    return is_over;
+}
+
+void window_show_recording_sign(const Window *window, int width) {
+    static const unsigned char red[3] = {230, 60, 50};
+    const char *text = gettext("recording");
+    float size = gui_text_size();
+    if (window->state.is_recording) {
+        gui_readout("recording", text, red,
+                    (GuiPoint){(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
+                               window->toolbar.height + 2 * size});
+    }
+}
+
+/** @return The message at the lower edge: the newest one, else the hint; empty: none. */
+static const char *message_text(const Window *window) {
+    const char *text = window->toast.text[0] != '\0' ? window->toast.text : window->hint.text;
+    return strcmp(text, window->notice.text) == 0 ? "" : text;
+}
+
+float window_messages_height(const Window *window) {
+    const char *text = message_text(window);
+    return text[0] != '\0' ? gui_message_height(text) + gui_text_size() / 2 : 0;
+}
+
+void window_show_messages(const Window *window, int width, float bottom) {
+    const char *text = message_text(window);
+    if (text[0] != '\0') {
+        gui_message("toast", text, (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2},
+                    GUI_ABOVE);
+    }
+}
+
+/* --- what changes by itself ------------------------------------------------------------------- */
+
+/** Takes the settings away that came by themselves. @return Whether they were shown until now. */
+static bool expire_settings(Window *window, double now) {
+    bool is_over = window->settings_end_time > 0 && now >= window->settings_end_time;
+    if (is_over) {
+        window->shows_settings = false;
+        window->settings_end_time = 0;
+        for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+            hud_invalidate(&window->huds[i]);
+        }
+    }
+    return is_over;
+}
+
+bool window_widgets_are_due(Window *window, double now) {
+    bool is_over = toast_expire(&window->toast, now);
+    is_over = toast_expire(&window->hint, now) || is_over;
+    is_over = toast_expire(&window->layer_name, now) || is_over;
+    is_over = expire_settings(window, now) || is_over;
+    return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
+}
+
+double window_widgets_timeout(const Window *window, double now) {
+    const Toast *const toasts[] = {&window->toast, &window->hint, &window->layer_name};
+    double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
+    for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
+        if (toasts[i]->text[0] != '\0') {
+            delay = fmin(delay, fmax(0, toasts[i]->end_time - now));
+        }
+    }
+    if (window->settings_end_time > 0) {
+        delay = fmin(delay, fmax(0, window->settings_end_time - now));
+    }
+    return delay;
+}

@@ -1,0 +1,82 @@
+#!/bin/bash
+# How fast the window is, in its own words (--timing): from exec to the first picture, and from a key
+# or a drag to the first picture of it, with the toolbar open, in every layer.
+. "$(dirname "$0")/check.sh"
+. tests/screen.sh
+box=$root/scenes/box.lua
+with_bar=yes
+
+# The limits are for an optimised build on a machine that has nothing else to do, where the box takes 15 ms.
+# limit CONDITION NAME WORDS: judges a time only there, and says it anywhere.
+limit() {
+    if awk "BEGIN { exit !($1) }"; then
+        ok "$2"
+    elif "$dioptre" bench "$box" -s 800x600 --samples 1 -j 2 --frames 20 --json |
+        awk 'match($0, /"ms_median": [0-9.e+]+/) { ms = substr($0, RSTART + 13, RLENGTH - 13) } END { exit !(ms > 45) }'; then
+        echo "skipped: $2, as this build or machine is too slow just now: $3"
+    else
+        fail "$2: $3"
+    fi
+}
+
+# read_timing NAME: ends the window; sets start, keys, median and worst.
+read_timing() {
+    xdotool key Escape key Escape # A layer goes first.
+    within ended "$pid" || kill -9 "$pid"
+    wait "$pid"
+    pid=0
+    timing=$(tail -1 "$work/log")
+    echo "# $1: $timing"
+    read -r start keys median worst < <(tr -d '{,}' <<<"$timing" | awk '{ print $2, $4, $6, $8 }')
+}
+
+# measure LAYER KEYS: presses a light's key that often while a layer is on.
+measure() {
+    open "$box" -j 2 --timing
+    settled
+    xdotool key "$1"
+    shown 'pass 1 px'
+    for ((i = 0; i < $2; i++)); do xdotool key --delay 1 a && sleep 0.03; done
+    read_timing "layer $1"
+}
+
+# measure_drag: drags the light by its mark.
+measure_drag() {
+    open "$box" -j 2 --timing
+    settled
+    local top=$(($(height) - 600))
+    xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1
+    for ((i = 0; i < 60; i++)); do
+        xdotool mousemove --window "$window" $((400 + i)) $((top + 16 + 2 * i)) && sleep 0.03
+    done
+    xdotool mouseup 1
+    read_timing drag
+}
+
+# Other programs may be in the way: the best of three tries counts.
+# judge NAME COMMAND...: measures, and judges the median and the worst.
+judge() {
+    local name=$1
+    shift
+    for _ in 1 2 3; do
+        "$@"
+        awk "BEGIN { exit !($median <= 16 && $worst <= 33) }" && break
+    done
+    limit "$median <= 16 && $worst <= 33" "$name: at most 16 ms, and 33 at worst" "$median, $worst ms"
+}
+
+start_server
+# The program measures from its first line; what it takes to get there, libraries and all, is what
+# --version takes.
+began=${EPOCHREALTIME/[.,]/}
+for _ in {1..10}; do "$dioptre" --version >/dev/null; done
+loading=$(((${EPOCHREALTIME/[.,]/} - began) / 10000))
+judge 'key to picture' measure 1 100
+[ "$keys" = 100 ] && ok 'all keys are counted' || fail "$keys of 100"
+limit "$start + $loading <= 150" 'exec to first picture: at most 150 ms' "$start ms and $loading"
+for layer in 2 3 4 5 6 7 8 9 0 y; do
+    judge "layer $layer" measure "$layer" 30
+done
+judge 'a light that is dragged' measure_drag
+[ "$keys" -ge 30 ] && ok 'drags are counted' || fail "$keys drags"
+exit $((failures > 0))

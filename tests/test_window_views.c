@@ -1,0 +1,196 @@
+/**
+ * @file
+ * @brief What lies over the picture or in its place, in both languages, in small and large windows:
+ *        rays, a lesson, the inspector, the magnifier, the chart, a presentation.
+ */
+#define FIXTURE_SCENE "scenes/glass-sphere.lua"
+#include "window_texts.h"
+
+#include "dioptre/script.h"
+#include "dioptre/view.h"
+
+/** Seconds that the first picture may take. */
+static const double PICTURE_SECONDS = 60;
+
+/** Runs the window's loop once. */
+static void update(Fixture *fixture) {
+    Window *window = &fixture->window;
+    Error error = {0};
+    SDL_Event event;
+    assert_true(window_update(window, fixture->scene, clock_now_seconds(), &error));
+    while (SDL_PollEvent(&event)) {
+        if (event.type == window->pass_event) {
+            window_on_pass(window, &event);
+        }
+    }
+}
+
+/** Runs the window until a picture of its size is on screen. */
+static void wait_for_picture(Fixture *fixture) {
+    Viewport *viewport = &fixture->window.viewports[0];
+    double end = clock_now_seconds() + PICTURE_SECONDS;
+    SDL_Rect picture = window_picture_rect(&fixture->window);
+    window_invalidate(&fixture->window);
+    do {
+        update(fixture);
+        SDL_Delay(1);
+    } while ((viewport->awaits_first_frame || viewport->texture.width != picture.w) &&
+             clock_now_seconds() < end);
+    assert_int_equal(viewport->texture.width, picture.w);
+}
+
+/** Checks the view of rays: each drawing beside it, some rays of it. */
+static void check_rays(Fixture *fixture) {
+    static const char *const panes[] = {"rays", "rays and plan", "rays and march",
+                                        "rays and microscope"};
+    RayView *rays = &fixture->window.ray_view;
+    wait_for_picture(fixture);
+    for (RayPane pane = RAY_PANE_NONE; pane < RAY_PANE_COUNT; pane++) {
+        ray_view_pick(rays, 0.45, 0.5);
+        rays->pane = pane;
+        for (size_t ray = 0; ray < 3; ray++) {
+            ray_view_choose_ray(rays, ray);
+            update(fixture);
+            assert_true(rays->ray_tree.count > 4);
+            check_frame(fixture, panes[pane], 8);
+        }
+    }
+    ray_view_reset(rays);
+}
+
+/** Checks the steps of a lesson: captions, questions, what is right and why; its end card. */
+static void check_lesson_panel(Fixture *fixture) {
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    Error error = {0};
+    Lesson *lesson = script_load_lesson("scenes/lessons/03-glass.lua", &actions, &error);
+    assert_non_null(lesson);
+    int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
+    LessonPanel panel = {.lesson = lesson, .answers = answers};
+    for (size_t i = 0; i < lesson->count; i++) {
+        panel.stop = i;
+        panel.is_waiting = lesson->steps[i].kind == LESSON_CAPTION;
+        panel.is_asking = lesson->steps[i].kind == LESSON_ASK;
+        if (lesson->steps[i].kind == LESSON_EXPLAIN) {
+            answers[lesson->steps[i].action] = 1;
+        }
+        if (lesson_panel_lists(&lesson->steps[i]) || lesson->steps[i].kind == LESSON_EXPLAIN) {
+            window_set_lesson_panel(&fixture->window, &panel);
+            check_frame(fixture, "lesson", 4);
+        }
+    }
+    for (size_t i = 0; i < lesson->question_count; i++) {
+        answers[i] = 1 + (int)i % 2;
+    }
+    panel.is_finished = panel.has_next = true;
+    window_set_lesson_panel(&fixture->window, &panel);
+    check_frame(fixture, "end card", 5);
+    window_set_lesson_panel(&fixture->window, &(LessonPanel){0});
+    lesson_destroy(lesson);
+}
+
+/** Checks the inspector of each shape and light of the scene. */
+static void check_inspector(Fixture *fixture) {
+    Window *window = &fixture->window;
+    EditHistory edits = {0};
+    bool is_light_moved[8] = {0};
+    window->state.edits = &edits;
+    window->state.is_light_moved = is_light_moved;
+    for (int i = 0; i < (int)(fixture->scene->shape_count + fixture->scene->light_count); i++) {
+        size_t shapes = fixture->scene->shape_count, index = (size_t)i;
+        if (index > 0 && index < shapes &&
+            fixture->scene->shapes[index].class_index ==
+                fixture->scene->shapes[index - 1].class_index) {
+            continue;
+        }
+        SceneObject object = index < shapes ? scene_object_of_shape(fixture->scene, index)
+                                            : scene_object_of_light(fixture->scene, index - shapes);
+        window->object_inspector = (ObjectInspector){
+            .keyword = object.keyword, .number = object.origin->number, .has_pixel = true};
+        check_frame(fixture, "inspector", 8);
+    }
+    window->object_inspector = (ObjectInspector){0};
+    edit_history_deinit(&edits);
+}
+
+/** Checks the magnifier in all corners of the picture. */
+static void check_magnifier(Fixture *fixture) {
+    Window *window = &fixture->window;
+    wait_for_picture(fixture);
+    magnifier_toggle(&window->magnifier);
+    for (int corner = 0; corner < 4; corner++) {
+        PixelPosition mouse = {corner % 2 ? window->viewports[0].width - 1 : 0,
+                               corner / 2 ? window->viewports[0].height - 1 : 0};
+        window->magnifier.pixel = mouse;
+        window->magnifier.has_place = true;
+        check_frame(fixture, "magnifier", 1);
+    }
+    magnifier_toggle(&window->magnifier);
+}
+
+/** Checks the chart with some points. */
+static void check_chart(Fixture *fixture) {
+    SettingsChartPanel *panel = &fixture->window.settings_chart;
+    panel->is_open = true;
+    panel->has_failed = true; // Nothing is measured behind the test's back.
+    settings_chart_add(&panel->chart, "float, none, 3 × 16", 0.0123, 4.5);
+    settings_chart_add(&panel->chart, "double, bound, 8 × 16", 0.0321, 0.00125);
+    settings_chart_add(&panel->chart, "quad, bound, 8 × 128", 12.5, 0);
+    check_frame(fixture, "chart", 5);
+    panel->is_open = false;
+}
+
+/** Checks a presentation: large letters, the name of a layer. */
+static void check_presentation(Fixture *fixture) {
+    Window *window = &fixture->window;
+    wait_for_picture(fixture);
+    window_toggle_presentation(window);
+    window_set_layer(window, LAYER_NORMALS);
+    window_set_toast(window, "saved glass-sphere-1.bmp");
+    window->shows_settings = true;
+    window_invalidate_text(window);
+    check_frame(fixture, "presentation", 4);
+    window->shows_settings = false;
+    window->layer_name.text[0] = window->toast.text[0] = '\0';
+    window_set_layer(window, LAYER_SHADED);
+    window_toggle_presentation(window);
+}
+
+/** The rays of a pixel of glass. */
+static void test_rays(void **state) {
+    in_all_windows(state, check_rays);
+}
+
+/** A lesson. */
+static void test_lesson_panel(void **state) {
+    in_all_windows(state, check_lesson_panel);
+}
+
+/** The inspector. */
+static void test_inspector(void **state) {
+    in_all_windows(state, check_inspector);
+}
+
+/** The magnifier. */
+static void test_magnifier(void **state) {
+    in_all_windows(state, check_magnifier);
+}
+
+/** The chart. */
+static void test_chart(void **state) {
+    in_all_windows(state, check_chart);
+}
+
+/** A presentation. */
+static void test_presentation(void **state) {
+    in_all_windows(state, check_presentation);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rays),      cmocka_unit_test(test_lesson_panel),
+        cmocka_unit_test(test_inspector), cmocka_unit_test(test_magnifier),
+        cmocka_unit_test(test_chart),     cmocka_unit_test(test_presentation),
+    };
+    return cmocka_run_group_tests(tests, open_window, close_window);
+}

@@ -358,10 +358,8 @@ static void test_parted_colors(void **state) {
     material.reflectivity = (Rgbd){0, 1, 1};
     Scene *scene = ball_in_mirror_scene(material);
     double rgb[3], alone[3];
-    RayCounts counts =
-        trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
-    print_message("rays of colours that part: %d\n",
-                  (int)(counts.reflection + counts.refraction));
+    RayCounts counts = trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
+    print_message("rays of colours that part: %d\n", (int)(counts.reflection + counts.refraction));
     assert_true(counts.reflection + counts.refraction < 10000); // Not some 2^24.
     trace_recursively(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, alone);
     assert_memory_equal(rgb, alone, sizeof rgb);
@@ -371,9 +369,9 @@ static void test_parted_colors(void **state) {
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),   cmocka_unit_test(test_lanes),
-        cmocka_unit_test(test_bright_lights),   cmocka_unit_test(test_guard),
-        cmocka_unit_test(test_hidden_surfaces), cmocka_unit_test(test_wavefronts),
+        cmocka_unit_test(test_random_scenes),    cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_bright_lights),    cmocka_unit_test(test_guard),
+        cmocka_unit_test(test_hidden_surfaces),  cmocka_unit_test(test_wavefronts),
         cmocka_unit_test(test_ray_without_room), cmocka_unit_test(test_parted_colors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

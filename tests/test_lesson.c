@@ -9,8 +9,8 @@
 #include "dioptre/lesson.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
-#include "view/lesson/answer_file.h"
 #include "view/lesson/action_names.h"
+#include "view/lesson/answer_file.h"
 #include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 

@@ -13,7 +13,7 @@ RANDOM=${SOAK_SEED:-1}
 echo interceptor_via_lib:libSDL2 >"$work/sdl"
 export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1}:quarantine_size_mb=4:suppressions=$work/sdl
 
-# Every key that does anything but Escape, which leaves, and p, which fills the disk.
+# Every key that does anything but Escape and Ctrl Q, which leave, and p, which fills the disk.
 keys=(a b c d e f g h i j k l m n o q r s t u v w x y z 0 1 2 3 4 5 6 7 8 9
     Left Right Up Down Prior Next Home Tab space comma period minus plus bracketleft bracketright
     BackSpace Return slash backslash apostrophe semicolon F1 F2 F3 F4 F5 F6 F7 F8 F9 F10 F11)
@@ -39,7 +39,10 @@ disturb() {
         ;;
     6) xdotool click $((4 + RANDOM % 2)) ;;
     7 | 8 | 9 | 10) pick keys && xdotool keydown "$picked" sleep 0.1 keyup "$picked" ;;
-    *) pick modifiers && modifier=$picked && pick keys && xdotool key "$modifier$picked" ;;
+    *)
+        pick modifiers && modifier=$picked && pick keys
+        [ "$modifier$picked" = ctrl+q ] || [ "$modifier$picked" = ctrl+shift+q ] || xdotool key "$modifier$picked"
+        ;;
     esac 2>/dev/null
 }
 

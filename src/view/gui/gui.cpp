@@ -226,6 +226,11 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
 }
 
 bool gui_give_keyboard(Gui *gui) {
+    if (gui && gui->has_keyboard) {
+        ImGui::SetCurrentContext(gui->context);
+        take_keyboard(gui);
+        return false;
+    }
     if (gui) {
         ImGui::SetCurrentContext(gui->context);
         ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;

@@ -56,6 +56,7 @@ struct Gui {
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
     bool has_keyboard;        /**< Whether the inspector has the keyboard. */
     bool is_inspecting;       /**< Whether this frame shows the inspector. */
+    ImRect inspector;         /**< Where, if so. */
     bool has_text_input;      /**< Whether the system is asked for letters. */
     bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */

@@ -164,6 +164,7 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
 
 void gui_inspector_end() {
     ImGui::PopItemWidth();
+    current_gui()->inspector = ImGui::GetCurrentWindow()->Rect();
     ImGui::End();
 }
 

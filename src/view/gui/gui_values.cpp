@@ -121,10 +121,21 @@ void draw_legend(const char *id, const GuiLegend *legend, const LegendLayout &la
     end_value(list);
 }
 
+/** Narrowest readout beside the inspector, in heights of letters: else it lies below it. */
+constexpr float READOUT_WIDTH_MINIMUM = 10;
+
 /** @return The width of the text of a readout. @param left Its left end. */
 float readout_width(float left) {
-    const float size = ImGui::GetFontSize();
-    return ImGui::GetIO().DisplaySize.x - left - 2 * size - 3 * PADDING * size;
+    const Gui *gui = current_gui();
+    const float size = ImGui::GetFontSize(), gap = PADDING * size;
+    const ImVec2 &display = ImGui::GetIO().DisplaySize;
+    float right = display.x;
+    bool is_low = gui->inspector.Max.y > display.y - size - 2 * gap;
+    if (gui->is_inspecting && is_low &&
+        gui->inspector.Min.x > left + READOUT_WIDTH_MINIMUM * size) {
+        right = gui->inspector.Min.x;
+    }
+    return right - left - 2 * size - 3 * gap;
 }
 
 } // namespace

@@ -86,6 +86,15 @@ static double largest_channel(Rgbd color) {
     return fmax(color.red, fmax(color.green, color.blue));
 }
 
+/** @return The product of the weights from the pixel to a ray, rounded as the engine does. */
+static Rgbd path_weight(const Engine *e, const RayTree *tree, int index) {
+    const RayTreeNode *ray = &tree->nodes[index];
+    if (ray->parent < 0) {
+        return (Rgbd){1, 1, 1};
+    }
+    return rounded_product(e, path_weight(e, tree, ray->parent), ray->weight);
+}
+
 /** Checks a ray's position in the tree. */
 static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     const RayTreeNode *ray = &tree->nodes[i];
@@ -98,8 +107,7 @@ static void check_tree_links(const Engine *e, const RayTree *tree, size_t i) {
     const RayTreeNode *parent = &tree->nodes[ray->parent];
     assert_int_equal(ray->depth, parent->depth + 1);
     assert_true(parent->shape >= 0 && parent->kind != RAY_SHADOW);
-    double weight = round_to_engine(e, parent->throughput * largest_channel(ray->weight));
-    assert_true(ray->throughput == weight);
+    assert_true(ray->throughput == largest_channel(path_weight(e, tree, (int)i)));
     assert_at_most(fabs(vec3d_length(ray->direction) - 1), 1e-6, "length of a direction");
 }
 

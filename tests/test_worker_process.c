@@ -519,10 +519,17 @@ static void test_sandbox(void **state) {
     assert_int_not_equal(access("/tmp/dioptre-owned", F_OK), 0);
 }
 
+/** Memory of a process that tries to start others, bytes. */
+#ifdef __SANITIZE_ADDRESS__
+static const size_t START_MEMORY = (size_t)1 << 46; // The sanitizer reserves terabytes.
+#else
+static const size_t START_MEMORY = ATTEMPT_MEMORY;
+#endif
+
 /** Tries to start a process and a thread within the limits. @return 0: neither could be started. */
 static int start_within_limits(void) {
     pthread_t thread;
-    worker_sandbox_limit(ATTEMPT_MEMORY, HUGE_VAL);
+    worker_sandbox_limit(START_MEMORY, HUGE_VAL);
     pid_t child = fork();
     if (child >= 0) {
         return 1; // In both processes.

@@ -368,6 +368,7 @@ static void packet_gather(const Wavefront *wavefront, unsigned first, unsigned c
         unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
         packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
         packet->limit[v] = real_of(INFINITE);
+        gathered->rays.turns[v] = integer_of(0); // Counted on in unused vectors, too.
         for (unsigned lane = 0; lane < LANES && fill > 0; lane++) {
             unsigned i = done + lane;
             const QueuedRay *ray =

@@ -184,7 +184,7 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
                  desktop-file-utils appstream shared-mime-info libglib2.0-bin gappa libflint-arb-dev \
                  valgrind binutils libembree-dev libgl-dev
 COVERAGE_PACKAGES := gcovr
-BENCH_PACKAGES := gnuplot-nox
+BENCH_PACKAGES := gnuplot-nox valgrind binutils
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
 WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
 WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
@@ -213,12 +213,12 @@ run: packages
 .PHONY: web test-web
 web:
 	@.ci/packages $(WEB_PACKAGES)
+	@command -v npm >/dev/null || .ci/packages npm
 	@.ci/sources build/web-work/sources $(WEB_LIBRARY_SOURCES)
 	@$(MAKE) --no-print-directory -j$$(nproc) -f src/web/Makefile page
-# In a real browser, against the pictures of the desktop's program.
+# In real browsers, against the pictures of the desktop's program.
 test-web: web packages
-	@.ci/packages chromium
-	@command -v npm >/dev/null || .ci/packages npm
+	@.ci/packages chromium firefox-esr
 	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
 
@@ -375,6 +375,7 @@ bench: packages
 	@.ci/packages $(BENCH_PACKAGES)
 	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench.sh
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/profile.sh
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/run.sh
 	@doc/figures.sh
 peers: packages

@@ -3,10 +3,10 @@
 # methods of the laboratory and plugins. Both shares have a floor. `make coverage` builds what it
 # needs. COVERAGE_ONLY=1 judges the counters that are there.
 . "$(dirname "$0")/check.sh"
-# Floors, percent: a little under what the unit tests and the first three scripts reach, so a whole run
-# reaches more.
-lines=75
-branches=63
+# Floors, percent: what a whole run has reached on a busy machine, in which five tests did not pass. What
+# runs in workers that are test programs themselves is not counted.
+lines=90
+branches=77
 # Scripts that take minutes at most; the last one opens windows.
 scripts='command-line film farm lesson models pictures nff probe engines chart lab terminal soak'
 export JOBS="${JOBS:-2}"

@@ -121,10 +121,9 @@ typedef struct TraceLimits {
 static inline RayCounts trace_picture(const Engine *engine, const Scene *scene, TraceLimits limits,
                                       int width, int height, double *rgb) {
     Error error = {0};
-    TraceSettings settings = {
-        .depth = limits.depth,
-        .cutoff = limits.cutoff > 0 ? limits.cutoff : CUTOFF_DEFAULT,
-        .offset = OFFSET_BOUND};
+    TraceSettings settings = {.depth = limits.depth,
+                              .cutoff = limits.cutoff > 0 ? limits.cutoff : CUTOFF_DEFAULT,
+                              .offset = OFFSET_BOUND};
     Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
     PixelGrid grid = {.columns = width, .rows = height, .stride = 1};

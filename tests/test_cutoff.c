@@ -358,51 +358,21 @@ static void test_parted_colors(void **state) {
     material.reflectivity = (Rgbd){0, 1, 1};
     Scene *scene = ball_in_mirror_scene(material);
     double rgb[3], alone[3];
-    RayCounts counts =
-        trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
-    print_message("rays of colours that part: %d\n",
-                  (int)(counts.reflection + counts.refraction));
+    RayCounts counts = trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
+    print_message("rays of colours that part: %d\n", (int)(counts.reflection + counts.refraction));
     assert_true(counts.reflection + counts.refraction < 10000); // Not some 2^24.
     trace_recursively(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, alone);
     assert_memory_equal(rgb, alone, sizeof rgb);
     scene_destroy(scene);
 }
 
-/** Each channel has a budget of its own: a red pixel behind panes is as soon done as a white one.
- */
-static void test_budget_of_channels(void **state) {
-    (void)state;
-    const Engine *engine = engine_with_role(ENGINE_DOUBLE);
-    static const Rgbd colors[] = {{1, 1, 1}, {1, 0, 0}};
-    uint64_t rays[2];
-    for (int i = 0; i < 2; i++) {
-        double rgb[VALUES];
-        Scene *scene = create_empty_scene();
-        SceneMaterial glass = glass_material(1.5);
-        glass.transparency = colors[i];
-        scene->sky.horizon = scene->sky.zenith = (Rgbd){0.8, 0.8, 0.8};
-        use_material(scene, glass);
-        for (int pane = 0; pane < 4; pane++) {
-            add_placed_box(scene, here, (Vec3d){-9, -9, -pane}, (Vec3d){9, 9, 0.5 - pane});
-        }
-        set_camera(scene, here, (Vec3d){0.1, 0.2, 5}, (Vec3d){0, 0, -1});
-        RayCounts counts = trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, CUTOFF_DEFAULT},
-                                         COLUMNS, ROWS, rgb);
-        rays[i] = counts.reflection + counts.refraction;
-        scene_destroy(scene);
-    }
-    print_message("rays of white and red panes: %d, %d\n", (int)rays[0], (int)rays[1]);
-    assert_true(rays[1] <= rays[0]);
-}
-
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),   cmocka_unit_test(test_lanes),
-        cmocka_unit_test(test_bright_lights),   cmocka_unit_test(test_guard),
-        cmocka_unit_test(test_hidden_surfaces), cmocka_unit_test(test_wavefronts),
+        cmocka_unit_test(test_random_scenes),    cmocka_unit_test(test_lanes),
+        cmocka_unit_test(test_bright_lights),    cmocka_unit_test(test_guard),
+        cmocka_unit_test(test_hidden_surfaces),  cmocka_unit_test(test_wavefronts),
         cmocka_unit_test(test_ray_without_room), cmocka_unit_test(test_parted_colors),
-        cmocka_unit_test(test_budget_of_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -151,6 +151,7 @@ static void test_bmp_hostile(void **state) {
         {22, 16385},     {22, INT32_MAX}, {22, INT32_MIN},   {22, INT32_MIN + 1},
         {26, 24 << 16},  {26, 1},         {26, 8 << 16 | 1}, {26, 32 << 16 | 1},
         {26, -1},        {30, 1},         {30, 3},           {30, -1},
+        {14, 125},       {14, -1},
     };
     uint8_t bytes[SMALL_FILE_SIZE];
     const char *path = fixture_path(state, "a.bmp");

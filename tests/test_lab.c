@@ -6,8 +6,8 @@
  * One table has a row per expectation. Good methods have the bounds of their design. The bounds of
  * bad methods are so far from their results that rounding does not matter.
  */
-#include "lab/charts/metrics.h"
 #include "base/pareto_front.h"
+#include "lab/charts/metrics.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/score_stats.h"

@@ -9,8 +9,8 @@
 #include "dioptre/lesson.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
-#include "view/lesson/answer_file.h"
 #include "view/lesson/action_names.h"
+#include "view/lesson/answer_file.h"
 #include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 
@@ -211,6 +211,16 @@ static void test_answers(void **state) {
     assert_non_null(strchr(line, 'T'));
     assert_string_equal(strchr(line, ','), ",\"a \"\"b\"\", c\",2,3,0\n");
     assert_null(fgets(line, sizeof line, file));
+    fclose(file);
+    // A spreadsheet would compute the name.
+    const AnswerRecord formula = {.lesson = "=HYPERLINK(1)", .question = 1, .answer = 1};
+    assert_true(answer_file_append(path, &formula, &error));
+    file = fopen(path, "r");
+    assert_non_null(file);
+    for (int i = 0; i < 3; i++) {
+        assert_non_null(fgets(line, sizeof line, file));
+    }
+    assert_string_equal(strchr(line, ','), ",\"'=HYPERLINK(1)\",1,1,0\n");
     fclose(file);
     assert_false(answer_file_prepare("/", &error));
     assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /: "));

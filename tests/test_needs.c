@@ -6,9 +6,9 @@
 #include "load_scene.h"
 #include "testing.h"
 
+#include "base/pareto_front.h"
 #include "dioptre/renderer.h"
 #include "dioptre/script.h"
-#include "base/pareto_front.h"
 #include "lab/needs/image_difference.h"
 #include "lab/needs/needs.h"
 

@@ -3,6 +3,7 @@
  * @brief Tests of pictures: the encoder and the comparison.
  */
 #include "fixtures.h"
+#include "render/row_encoder.h"
 
 #include <fenv.h>
 #include <float.h>
@@ -118,6 +119,47 @@ static void test_many_lights(void **state) {
     }
 }
 
+/** @return Light that is hard to encode: beside a threshold, outside of 0 to 1, or no number. */
+static double hard_light(const Encoder *encoder, uint64_t *random) {
+    static const float others[] = {0, -0.0F, 1, -1, 2, 1e-45F, 1e38F, INFINITY, -INFINITY, NAN};
+    unsigned kind = (unsigned)(4 * random_unit_double(random));
+    float threshold = encoder->thresholds[1 + (int)(255 * random_unit_double(random))];
+    return kind == 0   ? (double)others[(size_t)(COUNT(others) * random_unit_double(random))]
+           : kind == 1 ? (double)nextafterf(threshold, 0)
+           : kind == 2 ? (double)threshold
+                       : random_unit_double(random);
+}
+
+/** Rows of all lengths are encoded as their rays are one by one, and nothing is written behind
+ *  them. */
+static void test_rows(void **state) {
+    (void)state;
+    enum { COLUMNS = 70, ROUNDS = 200, GUARD = 0xa5 };
+    uint64_t random = 8;
+    double sums[3 * COLUMNS];
+    uint32_t counts[COLUMNS];
+    for (int round = 0; round < ROUNDS; round++) {
+        Encoder encoder;
+        encoder_init(&encoder, encodings[round % ENCODINGS]);
+        for (int i = 0; i < COLUMNS; i++) {
+            counts[i] = round % 3 ? 1 : 1 + (uint32_t)(99 * random_unit_double(&random));
+        }
+        for (int i = 0; i < 3 * COLUMNS; i++) {
+            sums[i] = hard_light(&encoder, &random) * counts[i % COLUMNS];
+        }
+        for (int columns = 1; columns <= COLUMNS; columns++) {
+            uint8_t rgb[3 * COLUMNS + 1];
+            memset(rgb, GUARD, sizeof rgb);
+            row_encode(&encoder, &(SampleRow){sums, COLUMNS, counts, columns}, rgb);
+            for (int i = 0; i < 3 * columns; i++) {
+                double mean = sums[i % 3 * COLUMNS + i / 3] * (1.0 / counts[i / 3]);
+                assert_int_equal(rgb[i], encoder_encode(&encoder, (float)mean));
+            }
+            assert_int_equal(rgb[3 * columns], GUARD);
+        }
+    }
+}
+
 // --- comparison ----------------------------------------------------------------------------------
 
 /** Equal pictures have no difference. */
@@ -168,10 +210,15 @@ static void test_compare_different(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_steps_round_trip), cmocka_unit_test(test_white),
-        cmocka_unit_test(test_thresholds),       cmocka_unit_test(test_one_threshold_a_cell),
-        cmocka_unit_test(test_odd_lights),       cmocka_unit_test(test_many_lights),
-        cmocka_unit_test(test_compare_equal),    cmocka_unit_test(test_compare_different),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_steps_round_trip),
+        cmocka_unit_test(test_white),
+        cmocka_unit_test(test_thresholds),
+        cmocka_unit_test(test_one_threshold_a_cell),
+        cmocka_unit_test(test_odd_lights),
+        cmocka_unit_test(test_many_lights),
+        cmocka_unit_test(test_compare_equal),
+        cmocka_unit_test(test_compare_different),
     };
     return cmocka_run_group_tests_name("picture", tests, NULL, NULL);
 }

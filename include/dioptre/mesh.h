@@ -31,7 +31,7 @@ typedef struct MeshRepairs {
     size_t missing_normals; /**< Vertices whose normal is missing, while others have one, or has no
                               direction: they got the normal of their triangle. */
     size_t missing_uvs; /**< Vertices without valid (u, v), while others have one: they got (0, 0).
-                        */
+                         */
     size_t skipped_statements; /**< Statements of an OBJ file that are not understood: left out. */
     size_t skipped_line;       /**< Line of the first of those, from 1; 0: there is none. */
 } MeshRepairs;

@@ -40,9 +40,9 @@ enum { TEXEL_CHANNELS = 3 };
  * #texture_hdr_texels.
  */
 typedef struct Texture {
-    int width;   /**< Width in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
-    int height;  /**< Height in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
-    bool is_hdr; /**< Whether texels are floats in linear light; else bytes in sRGB. */
+    int width;       /**< Width in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    int height;      /**< Height in texels, 1 to `IMAGE_SIZE_MAXIMUM`. */
+    bool is_hdr;     /**< Whether texels are floats in linear light; else bytes in sRGB. */
     bool is_damaged; /**< Whether the file ends early or is damaged: some texels are guesses. */
     atomic_uint reference_count; /**< Number of references. */
 } Texture;

@@ -45,9 +45,9 @@ typedef struct ScriptRequest {
     size_t memory_limit;  /**< Limit of its Lua data, bytes; #SCRIPT_MEMORY_LIMIT. */
     const Keyword *const *shape_keywords; /**< Shapes it can create; NULL ends the list. NULL:
                                                those of the program, #scene_shape_keywords. */
-    const MeshProgress *progress; /**< Receives the progress of reading mesh files; NULL: none. */
-    AssetCache *cache;            /**< Files of earlier loads, updated by this one; NULL: none. */
-    const atomic_bool *stop;      /**< Loading stops once this is true; NULL: never. */
+    const MeshProgress *progress;   /**< Receives the progress of reading mesh files; NULL: none. */
+    AssetCache *cache;              /**< Files of earlier loads, updated by this one; NULL: none. */
+    const atomic_bool *stop;        /**< Loading stops once this is true; NULL: never. */
     const SceneOverride *overrides; /**< Values in place of those of the file; NULL: none. */
     size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
     const char

@@ -11,12 +11,6 @@
 #include <math.h>
 
 /**
- * Number of cells of the table over 0 to 1. Each cell contains at most one threshold: the smallest
- * distance of two, at the dark end of sRGB, is 1 / (12.92 * 255).
- */
-enum { ENCODER_CELLS = 4096 };
-
-/**
  * Computes the threshold of a code. The inverse curve gives an estimate within a few floats; its
  * neighbours are tested with the forward curve, which defines the codes.
  * @return The smallest float that is rounded to this code or a higher one.

@@ -7,7 +7,6 @@
 
 #include <limits.h>
 #include <stdbool.h>
-#include <stddef.h>
 
 /** @return Whether a text of Lua is a lesson: it calls `lesson`, outside of comments and strings.
  *  @param text Its beginning, ended by a zero. */

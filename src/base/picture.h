@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/image_metadata.h"
 
-#include <stddef.h>
 #include <stdint.h>
 
 /** A picture, as in a file or on a screen. */
@@ -44,10 +43,17 @@ bool picture_allocate_linear(Picture *picture, Error *error);
 /** Frees a picture's pixels and empties it. */
 void picture_deinit(Picture *picture);
 
+/**
+ * Number of cells of the table over 0 to 1. Each cell contains at most one threshold: the smallest
+ * distance of two, at the dark end of sRGB, is 1 / (12.92 * 255).
+ */
+enum { ENCODER_CELLS = 4096 };
+
 /** Tables that encode linear light exactly. See #encoder_init. */
 typedef struct Encoder {
-    float thresholds[257];     /**< Smallest light encoded as 0, 1, ... 255; then infinity. */
-    uint8_t first_codes[4097]; /**< Code at the lower end of each of 4096 cells. */
+    float thresholds[257]; /**< Smallest light encoded as 0, 1, ... 255; then infinity. */
+    uint8_t first_codes[ENCODER_CELLS + 1 + 3]; /**< Code at the lower end of each cell; then three
+                                                     bytes, as vectors load four at once. */
 } Encoder;
 
 /**
@@ -65,7 +71,7 @@ void encoder_init(Encoder *encoder, Encoding encoding);
  */
 static inline uint8_t encoder_encode(const Encoder *encoder, float linear) {
     float clamped = linear > 0 ? (linear < 1 ? linear : 1) : 0;
-    unsigned code = encoder->first_codes[(unsigned)(clamped * 4096)];
+    unsigned code = encoder->first_codes[(unsigned)(clamped * ENCODER_CELLS)];
     return (uint8_t)(code + (clamped >= encoder->thresholds[code + 1]));
 }
 

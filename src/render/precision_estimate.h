@@ -43,7 +43,7 @@ typedef struct PrecisionEstimate {
     double pixel_angle;           /**< Angle of a pixel, radians. */
     double max_secondary_weight;  /**< Largest reflectance plus transmittance of a surface. */
     int bounces;                  /**< Number of bounces on curved surfaces that were counted. */
-    int depth; /**< Recursion depth beyond which no ray can change an 8-bit value. */
+    int depth;             /**< Recursion depth beyond which no ray can change an 8-bit value. */
     int smooth_glass_line; /**< Line of the first transparent mesh with interpolated normals; 0:
                                 there is none. A ray that is reflected by such a normal may leave
                                 through the facet itself: then rounding decides, in every engine. */

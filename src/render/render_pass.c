@@ -134,25 +134,25 @@ RenderStats render_pass_stats(RenderPass *pass, bool is_last) {
     const Engine *reference = layer_class(pass->layer)->reference != REFERENCE_NONE
                                   ? pass->renderer->layer_renderer.reference
                                   : NULL;
-    return (RenderStats){.seconds = seconds,
-                         .full_resolution_seconds = pass->full_resolution_seconds,
-                         .rays = {.camera = atomic_load(&pass->camera),
-                                  .reflection = atomic_load(&pass->reflected),
-                                  .refraction = atomic_load(&pass->refracted),
-                                  .total_reflection = atomic_load(&pass->total_reflections),
-                                  .shadow = atomic_load(&pass->shadow),
-                                  .unresolved = atomic_load(&pass->unresolved),
-                                  .unresolved_steps = atomic_load(&pass->unresolved_steps)},
-                         .stride = pass->range.stride,
-                         .samples = pass->layer == LAYER_SHADED ? pass->range.last_sample + 1 : 1,
-                         .progress = renderer_progress(pass->renderer),
-                         .is_finished = is_last,
-                         .layer = {.layer = pass->layer,
-                                   .scale = pass->scale,
-                                   .pixel_count = atomic_load(&pass->pixel_count),
-                                   .artifact_pixels = atomic_load(&pass->artifact_pixels),
-                                   .leak_pixels = atomic_load(&pass->leak_pixels),
-                                   .measured_fraction =
-                                       (double)measured / ((double)pass->width * pass->height),
-                                   .reference = reference ? reference->name : NULL}};
+    return (RenderStats){
+        .seconds = seconds,
+        .full_resolution_seconds = pass->full_resolution_seconds,
+        .rays = {.camera = atomic_load(&pass->camera),
+                 .reflection = atomic_load(&pass->reflected),
+                 .refraction = atomic_load(&pass->refracted),
+                 .total_reflection = atomic_load(&pass->total_reflections),
+                 .shadow = atomic_load(&pass->shadow),
+                 .unresolved = atomic_load(&pass->unresolved),
+                 .unresolved_steps = atomic_load(&pass->unresolved_steps)},
+        .stride = pass->range.stride,
+        .samples = pass->layer == LAYER_SHADED ? pass->range.last_sample + 1 : 1,
+        .progress = renderer_progress(pass->renderer),
+        .is_finished = is_last,
+        .layer = {.layer = pass->layer,
+                  .scale = pass->scale,
+                  .pixel_count = atomic_load(&pass->pixel_count),
+                  .artifact_pixels = atomic_load(&pass->artifact_pixels),
+                  .leak_pixels = atomic_load(&pass->leak_pixels),
+                  .measured_fraction = (double)measured / ((double)pass->width * pass->height),
+                  .reference = reference ? reference->name : NULL}};
 }

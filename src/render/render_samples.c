@@ -3,6 +3,7 @@
  * @brief The shaded picture: samples of pixels, summed, and encoded tile by tile.
  */
 #include "render/renderer_internal.h"
+#include "render/row_encoder.h"
 
 #include <string.h>
 
@@ -122,22 +123,6 @@ static void average_row_linear(const double *sums, size_t plane, const uint32_t 
     }
 }
 
-/**
- * Averages and encodes a row of rays.
- * @param sums  Sums of the samples: the reds of the row.
- * @param plane  Distance from the reds to the greens, and to the blues.
- */
-static void average_row_encode(const RenderPass *pass, const double *sums, size_t plane,
-                               const uint32_t *counts, int columns, uint8_t *rgb) {
-    for (int i = 0; i < columns; i++) {
-        double per_count = 1.0 / counts[i];
-        for (size_t channel = 0; channel < 3; channel++) {
-            float linear = (float)(sums[channel * plane + (size_t)i] * per_count);
-            rgb[3 * (size_t)i + channel] = encoder_encode(pass->encoder, linear);
-        }
-    }
-}
-
 /** Writes a tile into the picture: the colour of each ray fills its cell. */
 static void tile_encode(const RenderPass *pass, const TileJob *job) {
     uint8_t row_colors[3 * TILE_COLUMNS];
@@ -154,8 +139,8 @@ static void tile_encode(const RenderPass *pass, const TileJob *job) {
             average_row_linear(sums, plane, counts, grid->columns,
                                pass->picture->linear + 3 * pixel);
         }
-        average_row_encode(pass, sums, plane, counts, grid->columns,
-                           is_full_resolution ? pixels : row_colors);
+        const SampleRow rays = {sums, plane, counts, grid->columns};
+        row_encode(pass->encoder, &rays, is_full_resolution ? pixels : row_colors);
         for (int column = 0; !is_full_resolution && column < tile->columns; column++) {
             memcpy(pixels + 3 * column, row_colors + 3 * (column / grid->stride), 3);
         }

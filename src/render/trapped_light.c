@@ -82,8 +82,8 @@ static bool shapes_overlap(const GlassShape *a, const GlassShape *b) {
 }
 
 /**
- * @return Whether two shapes of a kind share their axis, or as balls their centre, such as the walls
- *         of a hollow ball or of a tumbler. Light between them keeps to regular paths.
+ * @return Whether two shapes of a kind share their axis, or as balls their centre, such as the
+ * walls of a hollow ball or of a tumbler. Light between them keeps to regular paths.
  */
 static bool is_coaxial(const GlassShape *a, const GlassShape *b) {
     Vec3d size_a = box_size(&a->bounds), size_b = box_size(&b->bounds);

@@ -210,8 +210,7 @@ static bool check_light(BlockCheck *check, const SceneLight *light) {
            isfinite(light->falloff_constant) && isfinite(light->radius) &&
            check_finite(light->own, SCENE_LIGHT_OWN_DOUBLES) &&
            check_finite(&light->position.x, 3) && check_finite(&light->direction.x, 3) &&
-           check_finite(&light->color.red, 3) &&
-           check_origin(&light->origin) &&
+           check_finite(&light->color.red, 3) && check_origin(&light->origin) &&
            check_values(check, scene_light_keyword_for(light), light);
 }
 

@@ -11,12 +11,10 @@
 #include "script/script_run.h"
 #include "script/script_sandbox.h"
 
-#include <errno.h>
 #include <lauxlib.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /** Largest absolute value of a scene's time, seconds. */
 static const double TIME_MAXIMUM = 1e9;

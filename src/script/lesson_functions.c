@@ -13,7 +13,6 @@
 #include "script/script_sandbox.h"
 
 #include <lauxlib.h>
-#include <libintl.h>
 #include <math.h>
 #include <stdalign.h>
 #include <string.h>

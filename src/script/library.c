@@ -18,7 +18,6 @@
 #include <lauxlib.h>
 #include <libintl.h>
 #include <lualib.h>
-#include <stdlib.h>
 #include <string.h>
 
 /**

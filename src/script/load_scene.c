@@ -86,105 +86,120 @@ static bool is_same_file(const SceneFile *a, const SceneFile *b) {
     return a->inode == b->inode && a->device == b->device;
 }
 
-/** @return The mesh of the same file, among those before it in the scene; NULL: none. */
-static Mesh *find_same_mesh(const Scene *scene, size_t index) {
-    const SceneMesh *meshes = scene->meshes;
-    for (size_t i = 0; i < index; i++) {
-        if (!meshes[i].built && is_same_file(&meshes[i].file, &meshes[index].file)) {
-            return meshes[i].mesh;
-        }
-    }
-    return NULL;
+/** A file of a scene, and what is known of its content. */
+typedef struct Asset {
+    SceneFile *file; /**< The file. */
+    bool is_read;    /**< Whether there is a content. */
+    bool is_built;   /**< Whether the content is in the scene's block: there is no file. */
+    size_t size;     /**< Bytes of the content. */
+} Asset;
+
+/** A kind of files of a scene: models or pictures. */
+typedef struct AssetKind {
+    /** @return One of them. */
+    Asset (*at)(const Scene *scene, size_t index);
+    /** Gives one the content of another one, of the same file. */
+    void (*share)(Scene *scene, size_t from, size_t to);
+    /** Reads one from its open file. @return Whether it was read. */
+    bool (*read)(AssetLoad *load, const AssetFile *file, size_t index, Error *error);
+} AssetKind;
+
+/** Finds a mesh of a scene. See #AssetKind.at. */
+static Asset mesh_at(const Scene *scene, size_t index) {
+    SceneMesh *it = &scene->meshes[index];
+    return (Asset){&it->file, it->mesh, it->built, it->mesh ? mesh_block_size(it->mesh) : 0};
 }
 
-/** @return The texture of the same file, among those before it in the scene; NULL: none. */
-static Texture *find_same_texture(const Scene *scene, size_t index) {
-    const SceneTexture *textures = scene->textures;
-    for (size_t i = 0; i < index; i++) {
-        if (is_same_file(&textures[i].file, &textures[index].file)) {
-            return textures[i].texture;
-        }
-    }
-    return NULL;
+/** Shares a mesh. See #AssetKind.share. */
+static void mesh_share(Scene *scene, size_t from, size_t to) {
+    scene->meshes[to].mesh = mesh_retain(scene->meshes[from].mesh);
 }
 
-/** Reads a mesh from its file. @return Whether it was read. */
-static bool read_mesh_file(AssetLoad *load, size_t index, Error *error) {
-    SceneMesh *it = &load->scene->meshes[index];
+/** Reads a mesh. See #AssetKind.read. */
+static bool mesh_read(AssetLoad *load, const AssetFile *file, size_t index, Error *error) {
+    return mesh_file_read(file, &load->budget, load->request->progress,
+                          &load->scene->meshes[index].mesh, error);
+}
+
+/** Finds a texture of a scene. See #AssetKind.at. */
+static Asset texture_at(const Scene *scene, size_t index) {
+    SceneTexture *it = &scene->textures[index];
+    return (Asset){.file = &it->file,
+                   .is_read = it->texture,
+                   .size = it->texture ? texture_block_size(it->texture) : 0};
+}
+
+/** Shares a texture. See #AssetKind.share. */
+static void texture_share(Scene *scene, size_t from, size_t to) {
+    scene->textures[to].texture = texture_retain(scene->textures[from].texture);
+}
+
+/** Reads a texture. See #AssetKind.read. */
+static bool texture_read(AssetLoad *load, const AssetFile *file, size_t index, Error *error) {
+    return texture_file_read(file, &load->budget, &load->scene->textures[index].texture, error);
+}
+
+/** @return The first of a kind that is of the same file; the index itself if it is the first. */
+static size_t find_same_file(const Scene *scene, const AssetKind *kind, size_t index) {
+    const SceneFile *file = kind->at(scene, index).file;
+    size_t i = 0;
+    while (i < index &&
+           (kind->at(scene, i).is_built || !is_same_file(kind->at(scene, i).file, file))) {
+        i++;
+    }
+    return i;
+}
+
+/** Reads a model or picture from its file, unless it was read under another name. @return Whether
+ *  it was read. */
+static bool read_asset_file(AssetLoad *load, const AssetKind *kind, size_t index, Error *error) {
     AssetFile file;
     char path[PATH_MAX];
-    if (!open_file(load, &it->file, &file, path, error)) {
+    if (!open_file(load, kind->at(load->scene, index).file, &file, path, error)) {
         return false;
     }
-    it->mesh = mesh_retain(find_same_mesh(load->scene, index));
-    bool is_read =
-        it->mesh ||
-        (asset_budget_take_file_bytes(&load->budget, (size_t)file.info.st_size, error) &&
-         mesh_file_read(&file, &load->budget, load->request->progress, &it->mesh, error));
+    size_t same = find_same_file(load->scene, kind, index);
+    bool is_read = true;
+    if (same < index) {
+        kind->share(load->scene, same, index);
+    } else {
+        is_read = asset_budget_take_file_bytes(&load->budget, (size_t)file.info.st_size, error) &&
+                  kind->read(load, &file, index, error);
+    }
     close(file.descriptor);
     return is_read;
 }
 
-/** Reads a mesh, unless the cache has it. @return Whether it was read. */
-static bool read_mesh(AssetLoad *load, size_t index, Error *error) {
-    SceneMesh *it = &load->scene->meshes[index];
-    if (it->built) {
-        return it->mesh || copy_built_mesh(it->built, &it->mesh, error);
-    }
+/** Reads a model or picture, unless the cache has it. @return Whether it was read. */
+static bool read_asset(AssetLoad *load, const AssetKind *kind, size_t index, Error *error) {
+    const Asset asset = kind->at(load->scene, index);
     if (!asset_budget_take_file(&load->budget, error)) {
         return false;
     }
-    if (!it->mesh) {
-        return read_mesh_file(load, index, error);
+    if (!asset.is_read) {
+        return read_asset_file(load, kind, index, error);
     }
-    return find_same_mesh(load->scene, index) ||
-           asset_budget_take_memory(&load->budget, mesh_block_size(it->mesh), error);
+    return find_same_file(load->scene, kind, index) < index ||
+           asset_budget_take_memory(&load->budget, asset.size, error);
 }
 
-/** Reads a texture from its file. @return Whether it was read. */
-static bool read_texture_file(AssetLoad *load, size_t index, Error *error) {
-    SceneTexture *it = &load->scene->textures[index];
-    AssetFile file;
-    char path[PATH_MAX];
-    if (!open_file(load, &it->file, &file, path, error)) {
-        return false;
-    }
-    it->texture = texture_retain(find_same_texture(load->scene, index));
-    bool is_read = it->texture ||
-                   (asset_budget_take_file_bytes(&load->budget, (size_t)file.info.st_size, error) &&
-                    texture_file_read(&file, &load->budget, &it->texture, error));
-    close(file.descriptor);
-    return is_read;
-}
-
-/** Reads a texture, unless the cache has it. @return Whether it was read. */
-static bool read_texture(AssetLoad *load, size_t index, Error *error) {
-    const SceneTexture *it = &load->scene->textures[index];
-    if (!asset_budget_take_file(&load->budget, error)) {
-        return false;
-    }
-    if (!it->texture) {
-        return read_texture_file(load, index, error);
-    }
-    return find_same_texture(load->scene, index) ||
-           asset_budget_take_memory(&load->budget, texture_block_size(it->texture), error);
-}
-
-/** Reads the meshes of a scene. @return Whether all were read. */
-static bool read_meshes(AssetLoad *load, Error *error) {
-    for (size_t i = 0; i < load->scene->mesh_count; i++) {
-        if (!read_mesh(load, i, error)) {
-            return set_file_error(&load->scene->meshes[i].file, error);
+/** Reads all models or pictures of a scene. @return Whether all were read. */
+static bool read_assets(AssetLoad *load, const AssetKind *kind, size_t count, Error *error) {
+    for (size_t i = 0; i < count; i++) {
+        const Asset asset = kind->at(load->scene, i);
+        if (!asset.is_built && !read_asset(load, kind, i, error)) {
+            return set_file_error(asset.file, error);
         }
     }
     return true;
 }
 
-/** Reads the picture files of a scene. @return Whether all were read. */
-static bool read_textures(AssetLoad *load, Error *error) {
-    for (size_t i = 0; i < load->scene->texture_count; i++) {
-        if (!read_texture(load, i, error)) {
-            return set_file_error(&load->scene->textures[i].file, error);
+/** Copies the meshes out of the block of a scene. @return Whether all are valid. */
+static bool copy_built_meshes(Scene *scene, Error *error) {
+    for (size_t i = 0; i < scene->mesh_count; i++) {
+        SceneMesh *it = &scene->meshes[i];
+        if (it->built && !it->mesh && !copy_built_mesh(it->built, &it->mesh, error)) {
+            return set_file_error(&it->file, error);
         }
     }
     return true;
@@ -240,13 +255,16 @@ static bool check_textured_meshes(const Scene *scene, const Keyword *const *keyw
  * @return Whether all were read.
  */
 static bool read_files(const ScriptRequest *request, Scene *scene, Error *error) {
+    static const AssetKind meshes = {mesh_at, mesh_share, mesh_read};
+    static const AssetKind textures = {texture_at, texture_share, texture_read};
     AssetLoad load = {.request = request, .scene = scene};
     asset_budget_init(&load.budget);
     asset_cache_fill_scene(request->cache, scene);
-    return read_meshes(&load, error) &&
+    return copy_built_meshes(scene, error) &&
+           read_assets(&load, &meshes, scene->mesh_count, error) &&
            check_textured_meshes(scene, request->shape_keywords, error) &&
-           read_textures(&load, error) && asset_cache_store(request->cache, scene, error) &&
-           asset_notes_add(scene, error);
+           read_assets(&load, &textures, scene->texture_count, error) &&
+           asset_cache_store(request->cache, scene, error) && asset_notes_add(scene, error);
 }
 
 /** Runs a text in a worker, and checks what it made. @return Whether the scene is valid. */

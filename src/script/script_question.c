@@ -74,7 +74,9 @@ static void find_scene(ScriptResponder *responder, const char *name) {
     responder->has_scene = true;
     const char *path = responder->request->path, *slash = strrchr(path, '/');
     int dir_length = slash && name[0] != '/' ? (int)(slash + 1 - path) : 0;
-    int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s", dir_length, path, name);
+    // The name - means standard input elsewhere.
+    const char *here = dir_length == 0 && strcmp(name, "-") == 0 ? "./" : "";
+    int length = snprintf(answer->real_path, PATH_MAX, "%.*s%s%s", dir_length, path, here, name);
     if (length >= PATH_MAX || access(answer->real_path, R_OK) != 0) {
         error_set_errno(&answer->error, length >= PATH_MAX ? ENAMETOOLONG : errno);
     }

@@ -10,7 +10,6 @@
 #include <lauxlib.h>
 #include <libintl.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static_assert(CHUNK_NAME_SIZE <= LUA_IDSIZE, "Lua must not cut the names of files");
 static_assert(LUA_EXTRASPACE >= sizeof(ScriptSandbox *), "the sandbox is found by its state");

@@ -12,7 +12,6 @@
 #include "script/script_run.h"
 
 #include <libintl.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -12,8 +12,6 @@
 #include "dioptre/sdf_tape.h"
 #include "script/script_worker.h"
 
-#include <sys/mman.h>
-
 /** Address of all scenes: between the sanitizer's heap and its shadow nothing else lies. */
 static void *const ADDRESS = (void *)0x500000000000;
 /** A file of the project, whose text the program reads, and nobody runs. */

@@ -4,20 +4,12 @@
  */
 #include "shared/script_target.h"
 
+/** Checks that a scene keeps within its block. */
+static void check_size(const Scene *scene) {
+    FUZZ_REQUIRE(scene_block_size(scene) <= SCENE_MEMORY_SIZE);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    Error error = {0};
-    FuzzRun run;
-    Scene *scene = scene_create(&error);
-    FUZZ_REQUIRE(scene);
-    if (fuzz_run_init(&run, data, size)) {
-        run.run.dialect = &scene_dialect;
-        run.run.scene = scene;
-        if (fuzz_run_execute(&run, script_run_execute)) {
-            FUZZ_REQUIRE(scene->has_camera && scene->material_count >= 1);
-            FUZZ_REQUIRE(scene_block_size(scene) <= SCENE_MEMORY_SIZE);
-        }
-    }
-    fuzz_run_deinit(&run);
-    scene_destroy(scene);
+    fuzz_run_scene(data, size, &scene_dialect, script_run_execute, check_size);
     return 0;
 }

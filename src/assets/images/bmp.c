@@ -38,6 +38,8 @@ enum {
     BI_BITFIELDS = 3 /**< As the masks give; only the same order is supported. */
 };
 
+/** Largest header from #AT_HEADER_SIZE on: version 5, the last one. */
+enum { HEADER_SIZE_MAXIMUM = 124 };
 /** Bytes per pixel in a #Picture. */
 enum { CHANNELS = 3 };
 /** Largest number of bytes per pixel in a file. */
@@ -173,7 +175,7 @@ static bool read_header(FILE *stream, BmpHeader *header, Error *error) {
         return error_set(error, STATUS_SCENE, "it ends within its header");
     }
     uint32_t header_size = load_u32(bytes + AT_HEADER_SIZE);
-    if (header_size < HEADER_SIZE - AT_HEADER_SIZE) {
+    if (header_size < HEADER_SIZE - AT_HEADER_SIZE || header_size > HEADER_SIZE_MAXIMUM) {
         return error_set(error, STATUS_SCENE, "its header of %u bytes is of a kind not known here",
                          header_size);
     }

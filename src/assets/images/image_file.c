@@ -11,7 +11,6 @@
 #include "base/regular_file.h"
 #include "dioptre/scene.h"
 
-#include <errno.h>
 #include <libintl.h>
 #include <string.h>
 #include <unistd.h>

@@ -8,7 +8,6 @@
 #include "assets/plugin.h"
 #include "base/language.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -9,7 +9,6 @@
 #include "base/untrusted.h"
 
 #include <errno.h>
-#include <libintl.h>
 #include <math.h>
 #include <pthread.h>
 #include <signal.h>

@@ -13,7 +13,6 @@
 #include "base/language.h"
 #include "dioptre/parameter.h"
 
-#include <libintl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

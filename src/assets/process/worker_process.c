@@ -10,7 +10,6 @@
 #include "base/language.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <libintl.h>
 #include <limits.h>
 #include <math.h>

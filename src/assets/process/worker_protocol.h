@@ -12,7 +12,6 @@
 #define DIOPTRE_ASSETS_PROCESS_WORKER_PROTOCOL_H
 
 #include <stddef.h>
-#include <stdint.h>
 
 /** First word of a worker's command line; task, parent process id and language follow. */
 #define WORKER_OPTION "--worker"

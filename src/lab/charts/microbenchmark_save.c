@@ -5,9 +5,9 @@
 #include "lab/microbenchmark.h"
 
 #include "base/language.h"
+#include "base/pareto_front.h"
 #include "lab/charts/csv.h"
 #include "lab/charts/gnuplot.h"
-#include "base/pareto_front.h"
 #include "lab/charts/plot.h"
 #include "lab/charts/table.h"
 

@@ -17,7 +17,8 @@
 /** Largest fraction of the pixels that may be off. */
 #define NEEDS_FRACTION_MAXIMUM 1e-4
 
-/** Default of #NeedsRequest.error_steps: half an 8-bit step, which rounding to 8 bits leaves anyway. */
+/** Default of #NeedsRequest.error_steps: half an 8-bit step, which rounding to 8 bits leaves
+ * anyway. */
 #define NEEDS_ERROR_STEPS 0.5
 
 /** What is wanted. */

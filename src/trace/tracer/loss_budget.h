@@ -49,9 +49,10 @@ INLINE real loss_budget_channel(const LossBudget *budget, real color) {
  *  @param color  The light they have. */
 INLINE mask loss_budget_exceeded(const LossBudget *budget, Rgb lost, Rgb color) {
     const scalar bound = budget->radiance_bound;
-    return (lost.red * bound > loss_budget_channel(budget, color.red)) |
-           (lost.green * bound > loss_budget_channel(budget, color.green)) |
-           (lost.blue * bound > loss_budget_channel(budget, color.blue));
+    mask red = lost.red * bound > loss_budget_channel(budget, color.red);
+    mask green = lost.green * bound > loss_budget_channel(budget, color.green);
+    mask blue = lost.blue * bound > loss_budget_channel(budget, color.blue);
+    return red | green | blue;
 }
 
 #endif

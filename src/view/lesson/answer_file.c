@@ -64,10 +64,16 @@ bool answer_file_prepare(const char *path, Error *error) {
     return append(path, "", error);
 }
 
-/** Writes a name as a field of CSV, in quotes, each quote in it doubled. */
+/**
+ * Writes a name as a field of CSV, in quotes, each quote in it doubled. A name that a spreadsheet
+ * would compute, as it begins like a formula, gets an apostrophe before it.
+ */
 static void quote_name(char *out, size_t size, const char *name) {
     size_t used = 0;
     out[used++] = '"';
+    if (name[0] != '\0' && strchr("=+-@", name[0])) {
+        out[used++] = '\'';
+    }
     for (; *name && used + 3 < size; name++) {
         if (*name == '"') {
             out[used++] = '"';
@@ -79,7 +85,7 @@ static void quote_name(char *out, size_t size, const char *name) {
 }
 
 bool answer_file_append(const char *path, const AnswerRecord *record, Error *error) {
-    char name[2 * NAME_MAX + 3], moment[sizeof "-2147483648-12-31T23:59:60+0000"], line[LINE_SIZE];
+    char name[2 * NAME_MAX + 4], moment[sizeof "-2147483648-12-31T23:59:60+0000"], line[LINE_SIZE];
     time_t now = time(NULL);
     struct tm calendar;
     if (!localtime_r(&now, &calendar) ||

@@ -96,7 +96,8 @@ bool error_meter_start(ErrorMeter *meter, const Scene *scene, const RenderSettin
     bool is_started = prepare(meter, scene, &small, error);
     int code = is_started ? ray_thread_create(&meter->thread, error_meter_main, meter) : 0;
     if (code != 0) {
-        is_started = error_set(error, STATUS_FAILED, "cannot start a thread: %s", error_errno_text(code));
+        is_started =
+            error_set(error, STATUS_FAILED, "cannot start a thread: %s", error_errno_text(code));
     }
     meter->is_busy = is_started;
     if (!is_started) {

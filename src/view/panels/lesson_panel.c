@@ -218,7 +218,8 @@ static void show_card(LessonPanel *panel) {
 void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect) {
     const Lesson *lesson = panel->lesson;
     const LessonStep *step = panel->stop < lesson->count ? &lesson->steps[panel->stop] : NULL;
-    gui_panel_begin("lesson", &(GuiRect){(float)rect->x, (float)rect->y, (float)rect->w, (float)rect->h});
+    gui_panel_begin("lesson",
+                    &(GuiRect){(float)rect->x, (float)rect->y, (float)rect->w, (float)rect->h});
     if (!panel->is_finished) {
         show_controls(panel);
         if (step && step->kind == LESSON_CAPTION) {

@@ -29,8 +29,8 @@ void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]) {
     int number = found->origin.line > 0 ? number_on_line(scene, shape) : 0;
     if (number > 0) {
         // A function of the scene file has made several.
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword, found->origin.line,
-                 number);
+        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword,
+                 found->origin.line, number);
     } else if (found->origin.line > 0) {
         snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d"), keyword, found->origin.line);
     } else {

@@ -34,8 +34,8 @@ static bool has_key(const Command *row, SDL_Keysym key, bool by_letter) {
 
 const Command *command_find_key(const Command *table, SDL_Keysym key, bool by_letter) {
     const Command *found = NULL;
-    unsigned held = (key.mod & KMOD_SHIFT ? COMMAND_SHIFT : 0u) |
-                    (key.mod & KMOD_CTRL ? COMMAND_CTRL : 0u);
+    unsigned held =
+        (key.mod & KMOD_SHIFT ? COMMAND_SHIFT : 0u) | (key.mod & KMOD_CTRL ? COMMAND_CTRL : 0u);
     unsigned found_modifiers = 0;
     for (const Command *row = table; command_is_row(row); row++) {
         unsigned modifiers = row->flags & (COMMAND_SHIFT | COMMAND_CTRL);

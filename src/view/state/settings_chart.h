@@ -26,7 +26,8 @@ typedef struct SettingsChart {
     size_t count;                                /**< Number of them. */
 } SettingsChart;
 
-/** Names settings by what keys change of them, such as `float, bound, 8 × 16`: depth and samples. */
+/** Names settings by what keys change of them, such as `float, bound, 8 × 16`: depth and samples.
+ */
 void settings_name_write(const RenderSettings *settings, char name[SETTINGS_NAME_SIZE]);
 
 /** @return Whether a setting has a point. */

@@ -32,7 +32,8 @@ typedef struct SdlWindow {
  */
 bool sdl_window_open(SdlWindow *sdl, const char *title, int width, int height, Error *error);
 
-/** Makes a window higher, or lower: it stays on its screen. @param units Screen units; below 0: lower.
+/** Makes a window higher, or lower: it stays on its screen. @param units Screen units; below 0:
+ * lower.
  *  @return By how much it has grown, screen units: less than asked for on a small screen. */
 int sdl_window_grow(const SdlWindow *sdl, int units);
 

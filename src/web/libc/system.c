@@ -2,8 +2,9 @@
  * @file
  * @brief Functions of GNU's C library and of Linux that a page lacks.
  */
+#include "web/waits.h"
+
 #include <dlfcn.h>
-#include <emscripten/threading.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -16,15 +17,26 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 /** Says how many processors the browser tells. See sched_getaffinity(2). @return 0 */
 int sched_getaffinity(pid_t process, size_t size, cpu_set_t *set) {
     CPU_ZERO_S(size, set);
-    for (int i = 0; i < emscripten_num_logical_cores(); i++) {
+    for (int i = 0; i < waits_processor_count(); i++) {
         CPU_SET_S(i, size, set);
     }
     return 0;
+}
+
+/** The browser's own clock: of the wall alone. */
+int __real_clock_gettime(clockid_t clock, struct timespec *time);
+
+/** Says what time it is. A page is not told how long it had a processor: the wall's clock stands
+ * in. See clock_gettime(2). */
+int __wrap_clock_gettime(clockid_t clock, struct timespec *time) {
+    bool is_of_processor = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+    return __real_clock_gettime(is_of_processor ? CLOCK_MONOTONIC : clock, time);
 }
 
 /** See CPU_COUNT(3). @return Number of processors in a set. */

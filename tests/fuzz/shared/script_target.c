@@ -145,3 +145,21 @@ bool fuzz_run_execute(FuzzRun *run, void (*execute)(ScriptRun *run)) {
 void fuzz_run_deinit(FuzzRun *run) {
     script_text_deinit(&run->text);
 }
+
+void fuzz_run_scene(const uint8_t *data, size_t size, const ScriptDialect *dialect,
+                    void (*execute)(ScriptRun *run), void (*check)(const Scene *scene)) {
+    Error error = {0};
+    FuzzRun run;
+    Scene *scene = scene_create(&error);
+    FUZZ_REQUIRE(scene);
+    if (fuzz_run_init(&run, data, size)) {
+        run.run.dialect = dialect;
+        run.run.scene = scene;
+        if (fuzz_run_execute(&run, execute)) {
+            FUZZ_REQUIRE(scene->has_camera && scene->material_count >= 1);
+            check(scene);
+        }
+    }
+    fuzz_run_deinit(&run);
+    scene_destroy(scene);
+}

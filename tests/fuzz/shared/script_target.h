@@ -45,4 +45,15 @@ bool fuzz_run_execute(FuzzRun *run, void (*execute)(ScriptRun *run));
 /** Frees a run. @param run The run. */
 void fuzz_run_deinit(FuzzRun *run);
 
+/**
+ * Runs a text that makes a scene.
+ * @param data     The text.
+ * @param size     Its bytes.
+ * @param dialect  What the text is written in; NULL: no Lua.
+ * @param execute  Executes the run.
+ * @param check    Checks a scene that was accepted, beyond its camera and materials.
+ */
+void fuzz_run_scene(const uint8_t *data, size_t size, const ScriptDialect *dialect,
+                    void (*execute)(ScriptRun *run), void (*check)(const Scene *scene));
+
 #endif

@@ -1,0 +1,263 @@
+// Starts the page: loads the program, and ties the scene's text to its window.
+import { createEditor } from "./editor.js";
+import { readFile, isOneFile } from "./files.js";
+import { pack, unpack } from "./link.js";
+import { createPanel } from "./panel.js";
+import { chooseMode, startProgram } from "./program.js";
+import { isFrench, say, translate } from "./words.js";
+
+const SCENES = "/scenes/";
+/** Where snapshots and lessons go that the program writes. */
+const HOME = "/home/web_user";
+/** Milliseconds without a key before the text is drawn. */
+const EDIT_DELAY = 150;
+/** Milliseconds between two looks for what the program has written. */
+const OFFER_DELAY = 1000;
+const $ = (id) => document.getElementById(id);
+
+let module = null, editor = null, shown = "", opened = null;
+
+const setMessage = (words) => { $("message").textContent = words; };
+const showError = (words) => { $("errors").textContent = words; };
+
+/** Fetches a file that scenes name, unless it is there. */
+const fetchFile = async (name) => {
+  const path = SCENES + name;
+  if (!module.FS.analyzePath(path).exists) {
+    const bytes = await readFile("scenes/" + name).catch(() => null);
+    bytes && module.FS.writeFile(path, bytes);
+  }
+};
+
+const clearErrors = () => {
+  showError("");
+  editor?.setErrors([]);
+};
+
+/** Shows the text of the scene that the window shows. */
+const showScene = (path) => {
+  setMessage("");
+  shown = path;
+  editor?.setText(module.FS.readFile(path, { encoding: "utf8" }));
+  clearErrors();
+  const name = path.slice(SCENES.length);
+  if (![...$("scenes").options].some((option) => option.value === name)) {
+    $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
+  }
+  $("scenes").value = name;
+  if (opened?.view) {
+    module.ccall("web_set_state", null, ["string"], [opened.view]);
+    opened = null;
+  }
+};
+
+/** Writes the text of the editor, and tells the window. */
+const applyText = () => {
+  clearErrors();
+  module.FS.writeFile(shown, editor.text());
+  module._web_file_changed();
+};
+let editTimer = 0;
+const onEdit = () => {
+  clearTimeout(editTimer);
+  editTimer = setTimeout(applyText, EDIT_DELAY);
+};
+
+/** Shows what the program says; an error with its place at that line, too. */
+const onError = (line) => {
+  console.info(line);
+  showError($("errors").textContent + line + "\n");
+  const place = shown && new RegExp(shown.replace(/[.\\+]/g, "\\$&") + ":(\\d+): (.*)").exec(line);
+  if (place) {
+    $("errors").dataset.line = place[1];
+    editor?.setErrors([{ line: Number(place[1]), message: place[2] }]);
+  }
+};
+
+/** Opens a scene in the window. */
+const openScene = (name) => {
+  module.ccall("web_open", null, ["string"], [SCENES + name]);
+  $("canvas").focus();
+};
+
+const offerDownload = (name, bytes) => {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+};
+/** Offers files that the program has written, such as snapshots, as downloads. */
+const offerFiles = () => {
+  for (const name of module.FS.readdir(HOME).filter((each) => /\.(bmp|png|csv)$/.test(each))) {
+    offerDownload(name, module.FS.readFile(HOME + "/" + name));
+    module.FS.unlink(HOME + "/" + name);
+  }
+};
+
+/** Copies a link to what the window shows. @param view See src/web/state.c. */
+const copyLink = async (view) => {
+  const name = shown.slice(SCENES.length).replace(/\.lua$/, "").replace(/[^\w-]/g, "-").slice(0, 64);
+  try {
+    const fragment = await pack({ name, text: editor.text(), view });
+    history.replaceState(null, "", "#" + fragment);
+  } catch (error) {
+    showError(error.message);
+    return;
+  }
+  await navigator.clipboard.writeText(location.href)
+    .then(() => showError(say("The link is in the clipboard: it carries scene, view, layer and settings.")))
+    .catch(() => showError(say("Copy this link:") + " " + location.href));
+};
+
+/** Puts files that are dropped beside the scenes; a scene among them is opened. */
+const drop = async (event) => {
+  event.preventDefault();
+  for (const file of event.dataTransfer.files) {
+    const name = file.name.replace(/[^\w.-]/g, "-");
+    module.FS.writeFile(SCENES + name, new Uint8Array(await file.arrayBuffer()));
+    if (/\.(lua|nff)$/.test(name)) {
+      openScene(name);
+    }
+  }
+  module._web_file_changed();
+};
+
+/** All files beside the scenes, for a command. */
+const sceneFiles = (folder = SCENES.slice(0, -1)) => module.FS.readdir(folder).filter((name) => name !== "." && name !== "..")
+  .flatMap((name) => {
+    const path = folder + "/" + name;
+    return module.FS.isDir(module.FS.stat(path).mode) ? sceneFiles(path) : [[path, module.FS.readFile(path)]];
+  });
+
+const toggle = (button, section) => {
+  $(section).hidden = !$(section).hidden;
+  $(button).setAttribute("aria-expanded", String(!$(section).hidden));
+};
+
+/** The window follows its element: when the page changes its size, and when the program asks for another. */
+const fitCanvas = () => {
+  const canvas = $("canvas"), fit = () => window.dispatchEvent(new Event("resize"));
+  new ResizeObserver(fit).observe($("stage"));
+  new MutationObserver(() => {
+    if (Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) > 1 ||
+        Math.abs(canvas.height - canvas.clientHeight * devicePixelRatio) > 1) {
+      setTimeout(fit, 0);
+    }
+  }).observe(canvas, { attributeFilter: ["width", "height"] });
+};
+
+const listen = () => {
+  $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
+  $("scenes").addEventListener("change", () => openScene($("scenes").value));
+  $("share").addEventListener("click", () => module._web_ask_state());
+  $("hide").addEventListener("click", () => toggle("hide", "editor"));
+  $("commands").addEventListener("click", () => toggle("commands", "panel"));
+  const canvas = $("canvas");
+  canvas.addEventListener("pointerdown", () => canvas.focus());
+  // The window's keys; those with Ctrl, Alt or the system's key stay the browser's.
+  canvas.addEventListener("keydown", (event) => {
+    if (!event.ctrlKey && !event.altKey && !event.metaKey && event.key !== "Tab" && event.key !== "F5") {
+      event.preventDefault();
+    }
+  });
+  // The window sleeps until it is woken, see src/web/waits.h.
+  for (const type of ["keydown", "keyup", "mousemove", "mousedown", "mouseup", "mouseenter", "mouseleave", "wheel", "touchstart", "touchmove",
+    "touchend", "touchcancel", "focus", "blur", "resize", "visibilitychange"]) {
+    window.addEventListener(type, () => module._web_wake(), { capture: true, passive: true });
+  }
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", drop);
+  window.addEventListener("hashchange", () => location.reload());
+  setInterval(offerFiles, OFFER_DELAY);
+};
+
+/** Once the first picture is there: the words of the editor, pictures and models. */
+const afterPicture = async (later) => {
+  while (!(module.SDL2 && module.SDL2.image && shown)) {
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+  performance.mark("picture");
+  const pointer = module._web_words();
+  editor = createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
+  module._free(pointer);
+  editor.setText(module.FS.readFile(shown, { encoding: "utf8" }));
+  createPanel({ scene: () => shown, files: sceneFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
+  self.dioptre = { editor, module };
+  for (const name of later) {
+    await fetchFile(name);
+  }
+  document.body.dataset.complete = "yes";
+};
+
+/** Prepares the files of the program before it starts. */
+const prepare = (later) => (started) => {
+  module = started;
+  started.ENV.LANGUAGE = started.ENV.LANG = isFrench ? "fr" : "en";
+  started.ENV.SDL_RENDER_DRIVER = "software";
+  started.ENV.SDL_EMSCRIPTEN_KEYBOARD_ELEMENT = "#canvas";
+  started.ENV.SDL_EMSCRIPTEN_ASYNCIFY = "0";
+  started.FS.chdir(HOME);
+  for (const folder of ["pictures", "models"]) {
+    started.FS.mkdirTree(SCENES + folder);
+  }
+  if (opened) {
+    started.FS.writeFile(SCENES + opened.name + ".lua", opened.text);
+  }
+  const named = later.filter((name) => opened && opened.text.includes(name.split("/").pop()));
+  if (named.length > 0) {
+    started.addRunDependency("files");
+    Promise.all(named.map(fetchFile)).then(() => started.removeRunDependency("files"));
+  }
+};
+
+/** Says which way the program runs. */
+const showMode = (mode) => {
+  $("mode").textContent = mode.isThreaded ? say("%d threads, SIMD").replace("%d", mode.threads) : say("one thread, SIMD");
+  $("mode").title = mode.isThreaded ? "" : say(isOneFile ? "A page that is one file has one thread." : "Several threads need https or localhost.");
+};
+
+const start = async () => {
+  translate();
+  $("canvas").setAttribute("aria-label", say("The picture of the scene"));
+  document.body.classList.toggle("embed", new URLSearchParams(location.search).has("embed"));
+  setMessage(say("Loading …"));
+  const mode = await chooseMode();
+  if (mode.isReloading) {
+    return;
+  }
+  if (!mode.hasSimd) {
+    setMessage(say("This browser cannot run the program: it lacks WebAssembly with SIMD. Browsers of 2023 and later have it."));
+    return;
+  }
+  showMode(mode);
+  const files = JSON.parse(new TextDecoder().decode(await readFile("files.json")));
+  let refusal = "";
+  opened = location.hash.length > 1 ? await unpack(location.hash.slice(1)).catch((error) => { refusal = error.message; return null; }) : null;
+  for (const name of files.scenes) {
+    $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
+  }
+  const isReady = startProgram(mode, {
+    canvas: $("canvas"),
+    arguments: ["view", SCENES + (opened ? opened.name : "box") + ".lua"],
+    preRun: [prepare(files.later)],
+    print: (line) => console.log(line),
+    printErr: onError,
+    onScene: (path) => {
+      showScene(path);
+      if (refusal) {
+        showError(refusal);
+        refusal = "";
+      }
+    },
+    onState: copyLink,
+    onStateRead: (isRight) => isRight || showError(say("The link is damaged: its view is left out.")),
+    onAbort: () => setMessage(say("The program has failed. Reload the page to start it again.")),
+    onExit: () => setMessage(say("The program has ended. Reload the page to start it again.")),
+  });
+  await isReady;
+  listen();
+  await afterPicture(files.later);
+};
+
+start();

@@ -1,0 +1,18 @@
+/**
+ * @file
+ * @brief Waiting for events of the window, with threads and without.
+ */
+#ifndef DIOPTRE_WEB_WAITS_H
+#define DIOPTRE_WEB_WAITS_H
+
+/** Waits until #waits_wake, or a time; earlier for no reason, too. @param until Of the clock,
+ * seconds. */
+void waits_sleep(double until);
+
+/** Lets the window look for events: one has been pushed. */
+void waits_wake(void);
+
+/** @return Number of processors that the program has. */
+int waits_processor_count(void);
+
+#endif

@@ -1,0 +1,66 @@
+/**
+ * @file
+ * @brief The words of the scene language for the page's editor: from the same tables that the
+ * parser reads.
+ */
+#include "base/json.h"
+#include "dioptre/scene.h"
+#include "dioptre/scene_override.h"
+
+#include <emscripten.h>
+#include <libintl.h>
+#include <stdio.h>
+
+/** Writes the fields of a keyword. */
+static void write_fields(JsonWriter *json, const Parameter *row) {
+    for (; row->name; row++) {
+        json_object_begin(json, NULL);
+        json_string(json, "name", row->name);
+        json_string(json, "help", row->help ? gettext(row->help) : "");
+        json_string(json, "unit", row->unit ? gettext(row->unit) : "");
+        json_array_begin(json, "choices");
+        for (const char *const *choice = row->choices; choice && *choice; choice++) {
+            json_string(json, NULL, *choice);
+        }
+        json_array_end(json);
+        json_object_end(json);
+    }
+}
+
+/** Writes a keyword. @param is_shape Whether it takes the fields of all shapes, too. */
+static void write_keyword(JsonWriter *json, const Keyword *keyword, bool is_shape) {
+    json_object_begin(json, NULL);
+    json_string(json, "name", keyword->name);
+    json_string(json, "help", keyword->help ? gettext(keyword->help) : "");
+    json_bool(json, "is_shape", is_shape);
+    json_array_begin(json, "fields");
+    write_fields(json, keyword->parameters);
+    if (is_shape) {
+        write_fields(json, transform_keyword.parameters);
+    }
+    json_array_end(json);
+    json_object_end(json);
+}
+
+/** @return All keywords with their fields as JSON, in the language of the window; NULL without
+ * memory. To be freed by the caller. Called by the page. */
+EMSCRIPTEN_KEEPALIVE char *web_words(void) {
+    static const Keyword *const single[] = {&scene_camera_keyword, &scene_image_keyword,
+                                            &scene_sky_keyword};
+    char *text = NULL;
+    size_t size = 0;
+    JsonWriter json = {.stream = open_memstream(&text, &size)};
+    if (!json.stream) {
+        return NULL;
+    }
+    json_array_begin(&json, NULL);
+    for (size_t i = 0; i < sizeof single / sizeof *single; i++) {
+        write_keyword(&json, single[i], false);
+    }
+    for (int i = 0; scene_object_keyword(i); i++) {
+        write_keyword(&json, scene_object_keyword(i), scene_object_is_shape(i));
+    }
+    json_array_end(&json);
+    fclose(json.stream);
+    return text;
+}

@@ -1,0 +1,51 @@
+// Random keys and clicks, with threads and without: the program lives on, its memory does not grow, nothing is said in the console.
+// KEYS_SECONDS says for how long each way (20).
+"use strict";
+
+const { check, openPage, pause, pixels, serve } = require("./browser.js");
+
+/** Keys of the window. Not q, which ends the program, and none that wait for an answer of a file. */
+const KEYS = [..."abcdefghijklmnorstuvwxyz0123456789", ..."[]+-.,<>", "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "PageUp", "PageDown",
+  "Home", "Tab", "Space", "Enter", "Escape", "F1"].filter((key) => key !== "Tab");
+/** Share of growth from the second half's beginning to the end that is no leak: stacks and pictures come and go. */
+const GROWTH_MAXIMUM = 0.1;
+
+/** Bytes of the program's memory. */
+const memory = (page) => page.evaluate(() => dioptre.module.HEAP8.length);
+
+const randomKeys = async (browser, url, seconds) => {
+  const problems = [];
+  const page = await openPage(browser, url, problems);
+  let seed = 42, count = 0, half = 0;
+  const random = (maximum) => (seed = (Math.imul(seed, 1103515245) + 12345) >>> 0, (seed >>> 16) % maximum);
+  await page.focus("#canvas");
+  const start = Date.now();
+  while (Date.now() - start < 1000 * seconds) {
+    const key = KEYS[random(KEYS.length)];
+    await page.keyboard.down(key);
+    await pause(random(60));
+    await page.keyboard.up(key);
+    if (random(10) === 0) {
+      const box = await page.locator("#canvas").boundingBox();
+      await page.mouse.click(box.x + random(Math.floor(box.width)), box.y + 130 + random(Math.floor(box.height) - 140));
+    }
+    count++;
+    if (half === 0 && Date.now() - start > 500 * seconds) {
+      half = await memory(page);
+    }
+  }
+  const end = await memory(page);
+  const message = (await page.textContent("#message")).trim();
+  check(message === "", `${count} keys in ${seconds} s: the program lives${message}`);
+  check(end <= half * (1 + GROWTH_MAXIMUM), `its memory: ${half >> 20} MB after the first half, ${end >> 20} MB at the end`);
+  check(await pixels(page) !== 0 && problems.length === 0, `the console is silent${problems.slice(0, 3).map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
+module.exports = async (browser) => {
+  const { server, url } = await serve(true);
+  const seconds = Number(process.env.KEYS_SECONDS || 20);
+  await randomKeys(browser, `${url}index.html`, seconds);
+  await randomKeys(browser, `${url}index.html?one-thread`, seconds);
+  server.close();
+};

@@ -1,0 +1,67 @@
+// The page on a desktop, a tablet and a phone: what is needed is in sight, has a name and is large enough for a finger. Screenshots are
+// left in build/web-work/screens, to be looked at.
+"use strict";
+
+const { check, openPage, serve, settled } = require("./browser.js");
+const fs = require("fs");
+
+const SCREENS = "build/web-work/screens";
+const SIZES = {
+  desktop: { viewport: { width: 1280, height: 720 } },
+  tablet: { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 },
+  phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3, locale: "fr-FR" },
+};
+
+/** Elements that a reader of screens would call by nothing. */
+const nameless = (page) => page.evaluate(() => [...document.querySelectorAll("button, select, input, canvas, [role=textbox]")]
+  .filter((element) => !(element.textContent.trim() || element.getAttribute("aria-label") || element.labels?.length))
+  .map((element) => element.id || element.tagName));
+
+/** @return Whether the picture reaches nine tenths of the canvas to the right, in the screen's own pixels. */
+const isFilled = (page) => page.evaluate(() => {
+  const canvas = document.getElementById("canvas");
+  const column = canvas.getContext("2d").getImageData(Math.floor(0.9 * canvas.width), 0, 1, canvas.height).data;
+  const isExact = Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) <= 1;
+  return isExact && column.filter((byte, i) => i % 4 < 3 && byte > 0).length > 0;
+});
+
+/** One finger drags over the picture. */
+const drag = async (page) => {
+  const box = await page.locator("#canvas").boundingBox();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, x, y) => client.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
+  const x = box.x + box.width / 2, y = box.y + box.height * 0.7;
+  await touch("touchStart", x, y);
+  for (let i = 1; i <= 10; i++) {
+    await touch("touchMove", x + 8 * i, y);
+  }
+  await touch("touchEnd", 0, 0);
+};
+
+module.exports = async (browser) => {
+  const { server, url } = await serve(true);
+  fs.mkdirSync(SCREENS, { recursive: true });
+  for (const [name, options] of Object.entries(SIZES)) {
+    const problems = [];
+    const page = await openPage(browser, `${url}index.html`, problems, options);
+    const before = await settled(page);
+    await page.screenshot({ path: `${SCREENS}/${name}.png` });
+    const canvas = await page.locator("#canvas").boundingBox(), text = await page.locator("#text").boundingBox();
+    const { width, height } = options.viewport;
+    check(canvas.width * canvas.height > 0.2 * width * height && text.height > 100, `${name}: picture ${canvas.width}x${canvas.height}, text ${text.width}x${text.height}`);
+    check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name}: nothing is wider than the screen`);
+    check(await isFilled(page), `${name}: the picture fills the canvas`);
+    const unnamed = await nameless(page);
+    check(unnamed.length === 0, `${name}: everything has a name${unnamed.map((each) => ": " + each)}`);
+    if (options.hasTouch) {
+      const small = await page.evaluate(() => [...document.querySelectorAll("header button, header select")]
+        .filter((element) => element.getBoundingClientRect().height < 40).map((element) => element.id));
+      check(small.length === 0, `${name}: what is touched is 40 pixels high${small.map((each) => ": " + each)}`);
+      await drag(page);
+      check(await settled(page) !== before, `${name}: a finger turns the camera`);
+    }
+    check(problems.length === 0, `${name}: the console is silent${problems.map((problem) => ": " + problem)}`);
+    await page.context().close();
+  }
+  server.close();
+};

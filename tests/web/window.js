@@ -1,0 +1,119 @@
+// The window in the page: keys, editing, errors, hostile scenes, completion, snapshots.
+"use strict";
+
+const { PATIENCE, check, editText, editorText, openPage, pause, pixels, serve, settled, waitError } = require("./browser.js");
+const fs = require("fs");
+
+const testKeys = async (page) => {
+  const first = await settled(page);
+  await page.focus("#canvas");
+  await page.keyboard.down("ArrowLeft");
+  await pause(700);
+  await page.keyboard.up("ArrowLeft");
+  check(await settled(page) !== first, "an arrow key moves the light");
+  const [download] = await Promise.all([page.waitForEvent("download", { timeout: PATIENCE }), page.keyboard.press("p")]);
+  check(download.suggestedFilename() === "box-0001.bmp", `a snapshot is a download: ${download.suggestedFilename()}`);
+  // Cairo draws the rays; what it does not stand ends the program.
+  await page.keyboard.press("v");
+  const rays = await settled(page);
+  check(rays !== first, "the rays of a pixel are shown");
+  await page.keyboard.press("v");
+  await settled(page);
+};
+
+const testErrors = async (page, text) => {
+  await editText(page, text.replace("camera", "camra"));
+  const error = await waitError(page, /:\d+: /);
+  check(/:\d+: /.test(error), `a mistake is said with its line: ${error}`);
+  await page.waitForFunction(() => document.getElementById("text").shadowRoot.querySelector(".cm-lintRange-error"), null, { timeout: PATIENCE });
+  check(true, "and marked at its line in the editor");
+  await editText(page, text);
+  await page.waitForFunction(() => document.getElementById("errors").textContent === "", null, { timeout: PATIENCE });
+  await editText(page, "while true do end");
+  check(true, `an endless loop ends: ${await waitError(page, /10 s/)}`);
+  await editText(page, "local s = 'x' while true do s = s .. s end");
+  check(true, `memory has its limit: ${await waitError(page, /MiB|memory/)}`);
+};
+
+/** Words and fields are those of the program's tables. */
+const testCompletion = async (page, text) => {
+  await editText(page, text);
+  const labels = async (typed) => {
+    await page.locator(".cm-content").click();
+    await page.keyboard.press("Control+End");
+    await page.keyboard.type(typed);
+    await page.waitForSelector(".cm-tooltip-autocomplete", { timeout: PATIENCE });
+    const all = await page.locator(".cm-completionLabel").allTextContents();
+    await page.keyboard.press("Escape");
+    return all;
+  };
+  check((await labels("\ncyl")).includes("cylinder"), "the editor completes words");
+  const fields = await labels("inder { rad");
+  check(fields.includes("radius"), `and fields: ${fields}`);
+  const choices = await labels("ius = 1 } light { falloff = \"in");
+  check(choices.length > 0 && choices.every((choice) => /in/.test(choice)), `and choices: ${choices}`);
+  await editText(page, text);
+};
+
+const testWindow = async (browser, url, mode) => {
+  const problems = [];
+  const page = await openPage(browser, url, problems);
+  check((await page.textContent("#mode")).includes(mode), `it says how it runs: ${await page.textContent("#mode")}`);
+  const text = await editorText(page);
+  check(text === fs.readFileSync("scenes/box.lua", "utf8"), "the editor shows the text of the box");
+  await testKeys(page);
+  await testErrors(page, text);
+  await testCompletion(page, text);
+  check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
+/** A host that sends no headers: the service worker does; afterwards the page works without network. */
+const testPlainHost = async (browser) => {
+  const { server, url } = await serve(false);
+  const problems = [];
+  const page = await openPage(browser, `${url}index.html`, problems, { locale: "fr-FR" });
+  check(await page.evaluate(() => self.crossOriginIsolated), "a plain host: isolated by the service worker");
+  check(await page.evaluate(() => document.documentElement.lang) === "fr", "French by the browser's language");
+  const complete = () => page.waitForFunction(() => document.body.dataset.complete === "yes", null, { timeout: PATIENCE });
+  await complete();
+  await page.reload();
+  await complete();
+  await page.context().setOffline(true);
+  server.closeAllConnections();
+  await new Promise((resolve) => server.close(resolve));
+  await page.reload();
+  await complete();
+  check(true, "it starts without network after the first visits");
+  check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
+/** Where no shared memory is: a server without https, which is no localhost, and a file. */
+const testOneThread = async () => {
+  const { server, port } = await serve(false);
+  // A browser of its own, which takes a name for a stranger's host.
+  const { chromium } = require(process.env.NODE_MODULES + "/playwright-core");
+  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM,
+    args: ["--no-sandbox", "--host-resolver-rules=MAP school.test 127.0.0.1"] });
+  console.log("a school's plain http server:");
+  await testWindow(browser, `http://school.test:${port}/index.html`, "one thread");
+  console.log("one file, by double click:");
+  await testWindow(browser, `file://${process.cwd()}/build/web/dioptre.html`, "one thread");
+  console.log("the same file from the server:");
+  const problems = [];
+  const page = await openPage(browser, `http://school.test:${port}/dioptre.html`, problems);
+  check(await pixels(page) !== 0 && problems.length === 0, "it runs, and its console is silent");
+  await browser.close();
+  server.close();
+};
+
+module.exports = {
+  window: async (browser) => {
+    const { server, url } = await serve(true);
+    await testWindow(browser, `${url}index.html`, "threads");
+    server.close();
+  },
+  host: testPlainHost,
+  single: testOneThread,
+};

@@ -85,11 +85,11 @@ xdotool key ctrl+z && shoot
 [ "${view%%--*}" = "$at_first" ] && ok 'and one of a light' || fail "$view, not $at_first"
 xdotool key ctrl+y && shoot
 [ "${view%%--*}" = "$light_moved" ] && ok 'redo moves it again' || fail "$view, not $light_moved"
-xdotool key ctrl+z
-# The first thing is the ball; below four rows of buttons is its centre, and then its radius.
+xdotool key ctrl+z && settled
+# In the middle of the picture is the ball; below four rows of buttons is its centre, then its radius.
 xdotool key F3 && settled
-xdotool key F10 && settled
-for _ in 1 2 3 4; do xdotool key Down && sleep 0.2; done
+xdotool key F10 && shown 'arrows: a field' && settled
+for _ in 1 2 3 4 5; do xdotool key Down && sleep 0.2; done
 xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2 && xdotool type 0.5 && sleep 0.3 && xdotool key Return
 settled
 xdotool key Escape && settled

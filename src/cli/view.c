@@ -235,7 +235,10 @@ void cli_view(const Options *options, Error *error) {
     if (own.lesson) {
         play_lesson(&own, error);
     } else if (own.argument_count == 0) {
-        error_set(error, STATUS_USAGE, "view needs a SCENE, or --lesson FILE");
+        // The menu of a desktop opens the program without a file.
+        if (own.lesson_snapshots || !cli_browse(error)) {
+            error_set(error, STATUS_USAGE, "view needs a SCENE, or --lesson FILE");
+        }
     } else if (own.lesson_snapshots) {
         error_set(error, STATUS_USAGE, "--lesson-snapshots needs --lesson");
     } else {

@@ -150,6 +150,7 @@ static void run_frame(App *app) {
     if (app->wants_list && app->window.gui) {
         app->wants_list = false;
         run_command(app, "scenes", 1);
+        browser_begin_at_top(&app->window.browser);
     }
     run_requested_command(app);
     edits_handle_requests(app);

@@ -70,7 +70,10 @@ void window_show_recording_sign(const Window *window, int width) {
 
 /** @return The message at the lower edge: the newest one, else the hint; empty: none. */
 static const char *message_text(const Window *window) {
-    const char *text = window->toast.text[0] != '\0' ? window->toast.text : window->hint.text;
+    // The hint is about the picture: it would shine through the list or the help.
+    bool is_covered = window->help.is_open || window->browser.is_open;
+    const char *hint = is_covered ? "" : window->hint.text;
+    const char *text = window->toast.text[0] != '\0' ? window->toast.text : hint;
     return strcmp(text, window->notice.text) == 0 ? "" : text;
 }
 

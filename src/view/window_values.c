@@ -189,7 +189,6 @@ void window_follow_mouse(Window *window) {
 
 void window_show_readout(const Window *window) {
     PixelPosition pixel = window->magnifier.pixel;
-    int width = 0, height = 0;
     PixelReadout readout;
     char text[READOUT_SIZE];
     bool is_on = window->magnifier.is_on ||
@@ -198,10 +197,11 @@ void window_show_readout(const Window *window) {
         !read_pixels(window, pixel.x, pixel.y, &readout)) {
         return;
     }
-    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    GuiRect area = window_area_units(window);
     pixel_readout_write(&readout, text);
     size_t side = is_right_side(window, pixel.x) ? 1 : 0;
-    gui_readout("readout", text, readout.readings[side].rgb, (GuiPoint){0, (float)height});
+    gui_readout("readout", text, readout.readings[side].rgb,
+                (GuiPoint){area.x, area.y + area.height});
 }
 
 /** Shows the chart of settings, if it is open. */

@@ -142,7 +142,14 @@ void browser_select_current(Browser *browser) {
             browser->is_current_selected = true;
         }
     }
+    if (browser->path[0] == '\0' && !browser->is_current_selected) {
+        select_position(browser, &order, 0);
+    }
     browser->is_current_selected = browser->is_current_selected || order.count > 0;
+}
+
+void browser_begin_at_top(Browser *browser) {
+    browser->path[0] = '\0';
 }
 
 /** @return The position some lines below. Lessons and scenes begin with lines of their own. @param

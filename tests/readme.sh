@@ -31,7 +31,7 @@ while read -r line; do
         expect 0 '' "$command" sh -c "cd '$work/tree' && exec $command"
         ;;
     'mkdir '*) (cd "$work/tree" && $command) ;;
-    'make web' | 'make test-web')
+    'make web' | 'make test-web' | 'make cross')
         # What they compile is fetched first: the makes that they start are left out.
         ${command} -n MAKE=true >"$work/out" 2>"$work/err" </dev/null && ok "there is $command" ||
             fail "$command: $(tail -1 "$work/err")"

@@ -20,8 +20,9 @@ static const double LONGEST_SLEEP = 0.25;
 
 /** Counts wakings; what is slept on. The window is one. */
 static atomic_uint wake_count;
-/** Count of the last waking that was seen, and when. Of the window's thread alone. */
+/** Count of the last waking that was seen. Of the window's thread alone. */
 static unsigned seen_count;
+/** When that was, on #clock_now_seconds. */
 static double seen_time;
 
 void waits_sleep(double until) {

@@ -33,7 +33,10 @@ small='-s 192x144 --samples 2'
     # Its coarser tolerances move edges: they are neither proposed nor called worth 0 steps.
     holds "$work/out" '"tolerance": (1|0\.[0-9]+),' 'the sponge keeps its tolerance'
     holds "$work/out" 'times as coarse, [1-9][0-9]* would be off' 'the sponge says what coarser ones do'
+    # unfold: the report in one line, wherever its lines broke.
+    unfold() { tr '\n' ' ' <"$work/out" >"$work/line" && mv "$work/line" "$work/out"; }
     expect 0 '' 'needs of few rays' "$dioptre" needs scenes/box.lua -s 96x72 --samples 4
+    unfold
     holds "$work/out" 'can be told from a better one by its noise' 'noise that is seen is said'
     grep -qE 'nothing that can be seen|fewer than 1 in' "$work/out" && fail 'it says that nothing is seen' || ok 'it does not say that nothing is seen'
     expect 0 '' 'needs for a large error' "$dioptre" needs scenes/box.lua -s 96x72 --samples 1 --error 64

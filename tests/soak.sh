@@ -41,7 +41,8 @@ disturb() {
     7 | 8 | 9 | 10) pick keys && xdotool keydown "$picked" sleep 0.1 keyup "$picked" ;;
     *)
         pick modifiers && modifier=$picked && pick keys
-        [ "$modifier$picked" = ctrl+q ] || [ "$modifier$picked" = ctrl+shift+q ] || xdotool key "$modifier$picked"
+        # a is q where the keyboard has just been changed to a French one, or back.
+        [[ "$modifier$picked" =~ ^ctrl.*[aq]$ ]] || xdotool key "$modifier$picked"
         ;;
     esac 2>/dev/null
 }

@@ -43,7 +43,7 @@ rm -rf "$logs" && mkdir -p "$logs"
     done
 } | xargs -d '\n' -P "${JOBS:-2}" -n 1 "$0" --one
 # What measures time has the machine to itself.
-for script in window bar objects scene-list; do "$0" --one "BUILD=build tests/$script.sh"; done
+for script in window bar objects scene-list latency; do "$0" --one "BUILD=build tests/$script.sh"; done
 passed=$(head -qn 1 "$logs"/*.result | grep -c "^ok ")
 failed=$(head -qn 1 "$logs"/*.result | grep -c "^not ok ")
 echo "$passed passed, $failed failed"

@@ -22,7 +22,7 @@ typedef enum Child { CHILD_REFLECTED, CHILD_REFRACTED, CHILD_COUNT } Child;
 
 /** Instead of the node of a child: there is none. */
 enum { NODE_NONE = -1 };
-/** The child is the first ray of the #PathNodes.kept of its kind; -3 is the second, and so on. */
+/** The child is the first of the rays of its kind that were kept; -3 is the second, and so on. */
 enum { NODE_KEPT_FIRST = -2 };
 
 /** What a node knows in colours. */

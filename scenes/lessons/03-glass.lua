@@ -46,13 +46,14 @@ ask {
   },
   right = 2,
   because = {
-    en = "Light is slower in glass. The sine of its angle shrinks by the index, here 1.5; on its way out it grows again.",
+    en = "Light is slower in glass. The sine of its angle is divided by the index, here 1.5; on its way out it is multiplied.",
     fr = "La lumière est plus lente dans le verre. Le sinus de l'angle est divisé par l'indice, ici 1,5 ; à la sortie, il est multiplié." },
 }
 pixel(0.6, 0.4)
 wait(0.5)
-caption { wait = true, en = "Back to the picture.", fr = "Retour à l'image." }
+caption { en = "Back to the picture.", fr = "Retour à l'image." }
 press "rays"
+wait(2)
 
 ask {
   en = "Glass also mirrors a part of the light. Where is that part largest?",

@@ -35,6 +35,10 @@ void app_sync_window(App *app) {
                                                   .is_running = app->timeline.is_running,
                                                   .is_recording = app_is_recording(app),
                                                   .is_playing = app_is_playing(app),
+                                                  .can_undo = app->moves.done > 0 ||
+                                                              edit_history_in_force(&app->edits) > 0,
+                                                  .can_redo = app->moves.done < app->moves.count ||
+                                                              app->edits.done < app->edits.count,
                                                   .edits = &app->edits,
                                                   .is_light_moved = app->home_view.is_light_moved});
 }

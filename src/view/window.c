@@ -229,6 +229,7 @@ void window_on_visibility(Window *window) {
 
 bool window_on_resize(Window *window) {
     window_fold_large_toolbar(window);
+    window->browser.scrolls = true; // What is selected stays in sight.
     window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =

@@ -36,6 +36,8 @@ typedef struct WindowState {
     bool is_running;            /**< Whether its time runs. */
     bool is_recording;          /**< Whether a lesson is recorded. */
     bool is_playing;            /**< Whether a lesson plays. */
+    bool can_undo;              /**< Whether a change can be taken back. */
+    bool can_redo;              /**< Whether one can be done again. */
     const EditHistory *edits;   /**< What the user has changed of its objects. */
     const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;

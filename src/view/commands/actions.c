@@ -294,7 +294,13 @@ void action_switch_language(App *app, int argument) {
 
 void action_browse_scenes(App *app, int argument) {
     (void)argument;
-    current_scene_browse(app);
+    app->window.help.is_open = false; // It would cover the list.
+    if (app->window.browser.is_open) {
+        browser_close(&app->window.browser);
+        window_present(&app->window);
+    } else {
+        current_scene_browse(app);
+    }
 }
 
 void action_toggle_recording(App *app, int argument) {

@@ -219,7 +219,12 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
         return false;
     }
     if (is_typed) {
-        ImGui_ImplSDL2_ProcessEvent(event);
+        SDL_Event typed = *event;
+        // Only numbers are typed into fields, and many write a comma in them.
+        if (event->type == SDL_TEXTINPUT && strcmp(event->text.text, ",") == 0) {
+            typed.text.text[0] = '.';
+        }
+        ImGui_ImplSDL2_ProcessEvent(&typed);
         gui->due_frames = FRAMES_PER_EVENT;
     }
     return (is_mouse && was_wanted) || is_typed;

@@ -11,9 +11,11 @@ constexpr float LIGHT_RADIUS = 0.4F;
 /** Rays of the mark of a light. */
 constexpr int LIGHT_RAYS = 8;
 /** Width of the inspector of objects, in heights of letters. */
-constexpr float INSPECTOR_WIDTH = 16.5F;
+constexpr float INSPECTOR_WIDTH = 18;
 /** Width of a widget in it, in heights of letters. */
-constexpr float INSPECTOR_WIDGET_WIDTH = 7.2F;
+constexpr float INSPECTOR_WIDGET_WIDTH = 8.7F;
+/** Opacity of the inspector: no outline is seen through its words. */
+constexpr float INSPECTOR_ALPHA = 0.97F;
 /** How much a pixel of a drag changes the brightness of a colour. */
 constexpr float COLOR_DRAG = 0.01F;
 /** Colours are rounded to this fraction of 1. */
@@ -140,6 +142,7 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
     ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    ImGui::SetNextWindowBgAlpha(INSPECTOR_ALPHA);
     Gui *gui = current_gui();
     if (gui->takes_focus) {
         ImGui::SetNextWindowFocus();
@@ -178,12 +181,12 @@ bool gui_inspector_section(const char *label, bool is_open_at_first) {
     return is_open;
 }
 
-bool gui_inspector_button(const char *label, const char *tooltip) {
+bool gui_inspector_button(const char *label, const char *tooltip, bool is_enabled) {
     if (ImGui::GetCurrentWindow()->DC.CursorPosPrevLine.x >
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x) {
         place_in_bar(button_width(label));
     }
-    return push_button(label, tooltip, false);
+    return gui_step_button(label, tooltip, is_enabled, false);
 }
 
 bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,

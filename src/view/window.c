@@ -109,6 +109,10 @@ void window_request_new_renderers(Window *window) {
     }
 }
 
+bool window_has_overrides(const Window *window) {
+    return window->viewports[active_index(window)].overrides.mask != 0;
+}
+
 void window_reset_overrides(Window *window) {
     update_text_now(window);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {

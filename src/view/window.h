@@ -123,6 +123,9 @@ void window_override_setting(Window *window, SettingsChangeFn *change, int step)
 /** Has all renderers replaced at the next #window_update_renderers. */
 void window_request_new_renderers(Window *window);
 
+/** @return Whether the user has changed any setting. */
+bool window_has_overrides(const Window *window);
+
 /** Takes back all changes of settings, layers and the split view. */
 void window_reset_overrides(Window *window);
 

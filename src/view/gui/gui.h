@@ -82,6 +82,9 @@ typedef enum {
     GUI_CURSOR_SIDEWAYS /**< Something can be moved left and right. */
 } GuiCursor;
 
+/** @return Whether the mouse is over a widget or a panel. */
+bool gui_has_mouse(void);
+
 /** Sets the shape of the mouse for this frame, unless it is over a widget. */
 void gui_set_cursor(GuiCursor cursor);
 
@@ -230,12 +233,13 @@ bool gui_button(const char *label, const char *tooltip, bool is_on);
 /**
  * A list of which one entry is chosen.
  * @param id        Unique to this list in its bar; not shown.
- * @param names     The entries.
+ * @param names     The entries, as the bar shows the chosen one.
+ * @param explained The entries, as the open list shows them.
  * @param selected  Index of the chosen one.
  * @return The index that the user has chosen now; -1: none.
  */
-int gui_choice(const char *id, const char *const *names, int count, int selected,
-               const char *tooltip);
+int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
+               int selected, const char *tooltip);
 
 /** A number with a button on each side. @param widest The widest text that it may have, so that the
  *  bar does not move. @return -1 or 1: the user wants less or more; else 0. */

@@ -18,6 +18,10 @@ constexpr float INSPECTOR_WIDGET_WIDTH = 8.7F;
 constexpr float INSPECTOR_ALPHA = 0.97F;
 /** How much a pixel of a drag changes the brightness of a colour. */
 constexpr float COLOR_DRAG = 0.01F;
+/** The brightness of a colour, with a sun before it. */
+constexpr char BRIGHTNESS[] = "\xe2\x98\xbc %.3f";
+/** Width of the picker of colours, in heights of letters. */
+constexpr float PICKER_WIDTH = 8;
 /** Colours are rounded to this fraction of 1. */
 constexpr double COLOR_GRAINS = 10000;
 /** Bytes of the inspector's title with the final zero. */
@@ -46,10 +50,35 @@ double round_color(double linear) {
  *  has changed it. */
 bool drag_or_slide(const char *id, double *number, double high) {
     const double low = 0;
-    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high, "%.3f",
+    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high, BRIGHTNESS,
                                            ImGuiSliderFlags_AlwaysClamp)
                      : ImGui::DragScalar(id, ImGuiDataType_Double, number, COLOR_DRAG, &low, &high,
-                                         "%.3f", ImGuiSliderFlags_AlwaysClamp);
+                                         BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp);
+}
+
+/** Shows a colour as a square, which opens a picker with a button that closes it. @param[in,out]
+ *  encoded The colour, sRGB. @return Whether the user has changed it. */
+bool pick_color(float encoded[3], float side) {
+    const ImVec4 shown(encoded[0], encoded[1], encoded[2], 1);
+    bool is_picked = false;
+    if (ImGui::ColorButton("##color", shown,
+                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                           ImVec2(side, side))) {
+        ImGui::OpenPopup("picker");
+    }
+    if (ImGui::BeginPopup("picker")) {
+        ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
+        is_picked = ImGui::ColorPicker3(
+            "##picker", encoded,
+            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
+                ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs |
+                ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+        if (ImGui::Button("OK")) {
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::EndPopup();
+    }
+    return is_picked;
 }
 
 /** @return Whether a panel of the last frame lies on a part of the window. */
@@ -225,10 +254,7 @@ bool gui_edit_color(const char *label, double rgb[3], double high, const char *t
         encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
     }
     ImGui::SameLine(0, gap);
-    bool is_picked = ImGui::ColorEdit3(
-        "##color", encoded,
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
-            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs);
+    bool is_picked = pick_color(encoded, swatch);
     for (int i = 0; is_picked && i < 3; i++) {
         rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
     }

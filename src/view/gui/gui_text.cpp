@@ -92,6 +92,14 @@ void record_label(const char *label) {
                 ImGui::GetFontSize());
 }
 
+void record_left_label(const char *label) {
+    ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImVec2 size = ImGui::CalcTextSize(label);
+    float left = low.x + ImGui::GetStyle().FramePadding.x, top = (low.y + high.y - size.y) / 2;
+    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
+                ImGui::GetFontSize());
+}
+
 void record_right_label(const char *label) {
     ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec2 size = ImGui::CalcTextSize(label);

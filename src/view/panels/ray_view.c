@@ -21,7 +21,7 @@ static const double ROWS_PER_WINDOW = 30;
 /** Smallest height of letters, pixels. */
 static const double TEXT_SIZE_MINIMUM = 14;
 /** Height of the formulas, fraction of the window: they are what the view is opened for. */
-static const double FORMULAS_FRACTION = 0.4;
+static const double FORMULAS_FRACTION = 0.42;
 /** Height of the buttons until it is known, fraction of the window. */
 static const double BUTTONS_FRACTION = 0.06;
 /** Difference of heights of the buttons that is only rounding. */

@@ -48,11 +48,12 @@ static void possible_button(Toolbar *toolbar, const ToolbarContent *content, con
                             false));
 }
 
-/** A list whose next entry a command chooses, cyclically. */
+/** A list whose next entry a command chooses, cyclically. @param explained See #gui_choice. */
 static void cyclic_choice(Toolbar *toolbar, const ToolbarContent *content, const char *command,
-                          const char *const *names, int count, int selected) {
+                          const char *const *names, const char *const *explained, int count,
+                          int selected) {
     char text[TOOLTIP_SIZE];
-    int chosen = gui_choice(command, names, count, selected,
+    int chosen = gui_choice(command, names, explained, count, selected,
                             tooltip_write(content->help, command, text));
     request(toolbar, command, chosen < 0 ? 0 : (chosen - selected + count) % count);
 }
@@ -83,7 +84,7 @@ static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
     }
     const char *first = toolbar_layer_command(LAYER_SHADED),
                *last = toolbar_layer_command(LAYER_ACNE);
-    int chosen = gui_choice("layer", names, LAYER_COUNT, (int)content->layer,
+    int chosen = gui_choice("layer", names, names, LAYER_COUNT, (int)content->layer,
                             tooltip_write_pair(content->help, first, last, " … ", text));
     if (chosen >= 0) {
         request(toolbar, toolbar_layer_command((Layer)chosen), 1);
@@ -93,7 +94,11 @@ static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
 /** The offset strategy, and its epsilon as a slider that goes by factors of two. */
 static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const TraceSettings *trace = &content->settings->trace;
-    cyclic_choice(toolbar, content, "offset", offset_strategy_names, OFFSET_BOUND + 1,
+    const char *const explained[OFFSET_BOUND + 1] = {
+        [OFFSET_NONE] = gettext("none: rays start at the surface, acne is seen"),
+        [OFFSET_FIXED] = gettext("fixed: rays start epsilon above the surface"),
+        [OFFSET_BOUND] = gettext("bound: as far above it as rounding can reach")};
+    cyclic_choice(toolbar, content, "offset", offset_strategy_names, explained, OFFSET_BOUND + 1,
                   (int)trace->offset);
     char text[TOOLTIP_SIZE], label[LABEL_SIZE];
     const double shown = fmax(trace->epsilon, EPSILON_LOW);
@@ -113,7 +118,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const RenderSettings *settings = content->settings;
     const char *lights[LIGHTING_MODE_COUNT];
     char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
-    cyclic_choice(toolbar, content, "engine", types, NUMBER_TYPE_COUNT,
+    cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
     snprintf(depth, sizeof depth, SIGN_DEPTH " %d", settings->trace.depth);
     snprintf(deepest, sizeof deepest, SIGN_DEPTH " %d", DEPTH_MAXIMUM);
@@ -124,7 +129,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));
     }
-    cyclic_choice(toolbar, content, "light mode", lights, LIGHTING_MODE_COUNT,
+    cyclic_choice(toolbar, content, "light mode", lights, lights, LIGHTING_MODE_COUNT,
                   (int)settings->lighting);
 }
 
@@ -139,7 +144,7 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         offset_widgets(toolbar, content);
         setting_widgets(toolbar, content);
         command_button(toolbar, content, "↺", "as at first", false);
-        cyclic_choice(toolbar, content, "split", splits, SPLIT_COUNT, (int)content->split);
+        cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
         if (content->is_animated) {
             command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
                            content->is_running);

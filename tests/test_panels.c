@@ -74,6 +74,9 @@ static void check_search(Browser *browser) {
     assert_int_equal(found_with(browser, "glass  sphere"), 0);
     if (language_is_french()) {
         assert_true(found_with(browser, "verite") + found_with(browser, "lumiere") > 0);
+        // With the signs of a keyboard, where the title has those of print.
+        assert_int_equal(found_with(browser, "d'echecs dans un jardin : le"), 1);
+        assert_int_equal(found_with(browser, "d’échecs"), 1);
     }
 }
 

@@ -53,8 +53,27 @@ void browser_deinit(Browser *browser) {
 
 /* --- searching -------------------------------------------------------------------------------- */
 
+/** A sign that stands for one that keyboards have. */
+typedef struct FoldedSign {
+    const char *sign; /**< The sign, in UTF-8. */
+    char letter;      /**< What is typed for it. */
+} FoldedSign;
+
+/** The typographic signs of French titles: the apostrophe, and the space before a colon. */
+static const FoldedSign folded_signs[] = {{"\xe2\x80\x99", '\''}, {"\xc2\xa0", ' '}};
+
+/** @return The typographic sign that a text begins with, or NULL. */
+static const FoldedSign *folded_sign(const char *text) {
+    for (size_t i = 0; i < sizeof folded_signs / sizeof *folded_signs; i++) {
+        if (strncmp(text, folded_signs[i].sign, strlen(folded_signs[i].sign)) == 0) {
+            return &folded_signs[i];
+        }
+    }
+    return NULL;
+}
+
 /** Writes a text as it is searched: without accents of Latin-1, in small letters, hyphens and
- *  underscores as spaces. */
+ *  underscores as spaces, typographic signs as they are typed. */
 static void fold(const char *text, char folded[SCENE_TITLE_SIZE]) {
     /** The letters from U+00E0 to U+00FF, and with 32 more the capital ones; `.`: it stays. */
     static const char letters[] = "aaaaaa.ceeeeiiii.nooooo.ouuuuy.y";
@@ -62,9 +81,13 @@ static void fold(const char *text, char folded[SCENE_TITLE_SIZE]) {
     for (; *text && length + 2 < SCENE_TITLE_SIZE; text++) {
         unsigned char first = (unsigned char)text[0], second = (unsigned char)text[1];
         char letter = first == 0xC3 && second >= 0x80 ? letters[second & 31] : '.';
+        const FoldedSign *sign = folded_sign(text);
         if (letter != '.') {
             folded[length++] = letter;
             text++;
+        } else if (sign) {
+            folded[length++] = sign->letter;
+            text += strlen(sign->sign) - 1;
         } else {
             folded[length++] = *text == '-' || *text == '_' ? ' ' : (char)SDL_tolower(first);
         }
@@ -86,8 +109,7 @@ void browser_order(const Browser *browser, BrowserOrder *order) {
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < browser->list.count; i++) {
             const SceneEntry *scene = &browser->list.scenes[i];
-            bool is_found =
-                holds(scene->name, words) || holds(scene->title, words);
+            bool is_found = holds(scene->name, words) || holds(scene->title, words);
             if (is_found && scene->is_lesson == (pass == 0)) {
                 order->indices[order->count++] = i;
             }

@@ -111,8 +111,8 @@ static void add_refraction(const RayTreeNode *ray, const RayTreeNode *parent,
     double a = ray_incidence_angle(parent);
     double b = degrees(-vec3d_dot(ray->direction, ray_front_normal(parent)));
     add(formulas, gettext("refraction"),
-        "n1 sin a = n2 sin b: %.4g × sin %.2f° = %.4g × sin %.2f° = %.4g", surface->ior_from, a,
-        surface->ior_to, b, surface->ior_from * sin(a * (M_PI / 180)));
+        gettext("n1 sin a = n2 sin b: %.4g × sin %.2f° = %.4g × sin %.2f° = %.4g"),
+        surface->ior_from, a, surface->ior_to, b, surface->ior_from * sin(a * (M_PI / 180)));
 }
 
 /** Adds what a ray counts for in the pixel. */

@@ -6,6 +6,7 @@
 #ifndef DIOPTRE_TESTS_APP_WINDOW_H
 #define DIOPTRE_TESTS_APP_WINDOW_H
 
+#include "fontconfig_leak.h"
 #include "testing.h"
 
 #include "base/clock.h"
@@ -25,6 +26,7 @@ typedef struct AppWindow {
     ViewSettings settings; /**< How it was opened. */
     char folder[64];       /**< The folder of the scene file, and of copies. */
     char path[96];         /**< The scene file. */
+    char loaded[128];      /**< The file that was loaded last. */
 } AppWindow;
 
 /** The only window: SDL has one video driver. */
@@ -55,7 +57,7 @@ static inline const char *file_text(const char *name) {
 /** Loads the scene. See #ViewLoader. */
 static Scene *load(void *context, const ViewRequest *request, const atomic_bool *stop,
                    RenderSettings *render, Lesson **lesson, Error *error) {
-    const ScriptRequest script = {.path = request->path ? request->path : fixture.path,
+    const ScriptRequest script = {.path = request->path ? request->path : fixture.loaded,
                                   .time_limit = SCRIPT_TIME_LIMIT,
                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
                                   .overrides = request->overrides,
@@ -63,7 +65,11 @@ static Scene *load(void *context, const ViewRequest *request, const atomic_bool 
     (void)context, (void)stop;
     *lesson = NULL;
     *render = fixture.settings.render;
-    return script_load(&script, error);
+    Scene *scene = script_load(&script, error);
+    if (scene && request->path) {
+        SDL_strlcpy(fixture.loaded, request->path, sizeof fixture.loaded);
+    }
+    return scene;
 }
 
 /** Loads what is asked for, and waits until it is on screen. @return Whether it could be loaded. */
@@ -114,7 +120,7 @@ static int open_app_window(const char *text, const char *part) {
                                       .load = load};
     RenderSettings render;
     Lesson *lesson;
-    Scene *scene = load(NULL, &(ViewRequest){0}, NULL, &render, &lesson, &error);
+    Scene *scene = load(NULL, &(ViewRequest){.path = fixture.path}, NULL, &render, &lesson, &error);
     if (!scene) {
         print_error("%s\n", error.message);
         return -1;

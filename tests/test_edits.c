@@ -149,7 +149,7 @@ static void test_write(void **state) {
     assert_true(settle());
     edits_write(app);
     assert_status("1 value written into");
-    char expected[sizeof SCENE];
+    char expected[sizeof SCENE + 16];
     strcpy(expected, SCENE);
     char *place = strstr(expected, "radius = 1 } -- right");
     memmove(place + strlen("radius = 0.5"), place + strlen("radius = 1"),

@@ -270,7 +270,7 @@ coverage: test-packages
 	@tests/coverage.sh
 
 # What `make bench` and `make peers` run.
-BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(BUILD)/bench-needs
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(addprefix $(BUILD)/bench-,needs acne)
 PEER_PROGRAMS  := $(addprefix $(BUILD)/peer-,embree accuracy fragment)
 .PHONY: test tests
 test: test-packages
@@ -381,6 +381,7 @@ bench: packages
 	@$(MAKE) --no-print-directory all $(BENCH_PROGRAMS)
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench.sh
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/profile.sh
+	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/acne.sh
 	@BUILD=$(BUILD) MADE_WITH='$(MADE_WITH)' tests/bench/run.sh
 	@doc/figures.sh
 peers: packages
@@ -401,7 +402,7 @@ $(BUILD)/peer-fragment: tests/peers/fragment.c
 
 # --- the laboratory ------------------------------------------------------------------------------
 # Beside the modules, so that it finds them.
-$(BUILD)/bench-needs: tests/bench/needs.c $(ROOMS)
+$(BUILD)/bench-%: tests/bench/%.c $(ROOMS)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES)
 CHARTED := $(addprefix scenes/,$(addsuffix .lua,box glass-sphere mandelbulb figure-16))
 .PHONY: charts

@@ -52,7 +52,22 @@ function measured(table,  parts) {
     split(machine[table], parts, ",")
     print words("Measured on ", "Mesurés sur ") parts[1] ", " parts[2] ", " parts[3] (parts[4] == "" ? "" : "," parts[4]) ".\n"
 }
+# acne(): a sentence on the pixels with acne or a leak.
+function acne(  i, cell, none, wrong, others) {
+    for (i = 1; i <= rows["acne"]; i++) {
+        split(row["acne", i], cell, ",")
+        wrong = cell[3] + cell[4]
+        sub(/\.lua$/, "", cell[1])
+        if (wrong == 0) none++
+        else others = others (others == "" ? "" : ", ") "`" cell[1] "` " grouped(wrong)
+    }
+    print words("In float, with the offset `bound`, ", "En float, avec le décalage `bound`, ") (none + 0) words(" of the ", " des ") rows["acne"] \
+        words(" scenes have not one pixel of ", " scènes n’ont pas un seul pixel sur ") grouped(cell[2]) \
+        words(" with acne or a leak.", " avec acné ou fuite.") \
+        (others == "" ? "" : words(" The others have: ", " Les autres en ont : ") others ".")
+}
 function table_of(what,  i, cell, other, best) {
+    if (what == "acne") { acne(); return }
     measured(what == "speed" ? "speed" : what)
     if (what == "engines") {
         heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un pas près | à plus, contre `f128x1`"))

@@ -134,7 +134,7 @@ same doc/reports.md "$work/reports.md" 'doc/reports.md is what doc/reports.sh ma
 doc/figures.sh "$work" 2>"$work/err" || fail "doc/figures.sh: $(cat "$work/err")"
 for document in README.md README.fr.md; do
     same $document "$work/$document" "$document has the figures of doc/figures"
-    [ "$(grep -c '^<!-- figures: ' $document)" = 5 ] && ok "$document: all five tables" || fail "$document lacks tables"
+    [ "$(grep -c '^<!-- figures: ' $document)" = 6 ] && ok "$document: all six tables" || fail "$document lacks tables"
 done
 
 # --- references and the tour ---------------------------------------------------------------------

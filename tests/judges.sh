@@ -17,4 +17,6 @@ expect 0 '' 'steps of marching' "$BUILD/tests/bench/march-steps" steps
 [ "$(grep -c '^1,' "$work/out")" -ge 6 ] && ok 'for each angle' || fail "steps: $(cat "$work/out")"
 expect 0 '' 'when a tree pays' "$BUILD/tests/bench/tree" f32x8 tests/bench/scattered-boxes.lua boxes
 expect 0 '' 'what a scene needs' "$BUILD/bench-needs" scenes/box.lua
+expect 0 '' 'pixels with acne or a leak' "$BUILD/bench-acne" scenes/box.lua
+[ "$(cat "$work/out")" = box.lua,480000,0,0 ] && ok 'the box has none' || fail "the box: $(cat "$work/out")"
 finish

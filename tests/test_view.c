@@ -779,6 +779,11 @@ static void test_title(void **state) {
     title_write(&content, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
                                " — light 2 of 3 — saved x.bmp");
+    report.rays.unresolved = 60000;
+    content.status_text = "";
+    title_write(&content, title);
+    assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
+                               ", 12 % lack light — light 2 of 3");
     const double time = 3.04;
     content = (TitleContent){.name = "box",
                              .width = 8,

@@ -3,7 +3,8 @@
  * @brief Processor instructions (intrinsics) of x86; those of WebAssembly are in simd_wasm.h.
  *
  * LANES_MIN and LANES_MAX are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
- * define them. For a macro that is not defined for an engine, real.h has a loop over the lanes.
+ * define them. For a macro that is not defined for an engine, real.h and columns.h have a loop over
+ * the lanes.
  */
 #ifndef DIOPTRE_TRACE_MATH_SIMD_X86_H
 #define DIOPTRE_TRACE_MATH_SIMD_X86_H
@@ -26,6 +27,9 @@
 /** base[places[i]] in lane i. */
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm512_i32gather_ps((__m512i)(places), base, sizeof(scalar))
+/** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
+#define LANES_COMPRESS(to, x, bits)                                                                \
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)(bits), (__m512)(x)))
 /** a where the mask m is set, b elsewhere; compiled to one instruction. */
 #define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
 /** The minimum; b if either is NaN. */
@@ -33,6 +37,23 @@
 /** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
 #elif LANES == 8 && defined(__AVX2__)
+/** For each set of four lanes, those lanes first. */
+static const int32_t FOUR_LANES_FIRST[16][4] = {
+    {0}, {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
+    {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3},
+};
+/** Stores the lanes of x whose bits are set, one after another, and writes over what follows: four
+ *  lanes at a time. */
+static inline __attribute__((always_inline)) void lanes_compress(float *to, __m256 x,
+                                                                 unsigned bits) {
+    const __m128i *orders = (const __m128i *)FOUR_LANES_FIRST;
+    __m128 low = _mm256_castps256_ps128(x), high = _mm256_extractf128_ps(x, 1);
+    _mm_storeu_ps(to, _mm_permutevar_ps(low, _mm_loadu_si128(&orders[bits & 15])));
+    _mm_storeu_ps(to + __builtin_popcount(bits & 15),
+                  _mm_permutevar_ps(high, _mm_loadu_si128(&orders[bits >> 4])));
+}
+/** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
+#define LANES_COMPRESS(to, x, bits) lanes_compress(to, (__m256)(x), bits)
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
 /** base[places[i]] in lane i. */
@@ -46,6 +67,18 @@
 #define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
 #elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
 #define LANES_BITS(m) (unsigned)_mm256_movemask_pd((__m256d)(m))
+/** For each set of two lanes, whether the second comes first: bit 1 of each lane counts. */
+static const int64_t TWO_LANES_FIRST[4][2] = {{0, 0}, {0, 0}, {2, 2}, {0, 2}};
+/** See above: two lanes at a time. */
+static inline __attribute__((always_inline)) void lanes_compress(double *to, __m256d x,
+                                                                 unsigned bits) {
+    const __m128i *orders = (const __m128i *)TWO_LANES_FIRST;
+    __m128d low = _mm256_castpd256_pd128(x), high = _mm256_extractf128_pd(x, 1);
+    _mm_storeu_pd(to, _mm_permutevar_pd(low, _mm_loadu_si128(&orders[bits & 3])));
+    _mm_storeu_pd(to + __builtin_popcount(bits & 3),
+                  _mm_permutevar_pd(high, _mm_loadu_si128(&orders[bits >> 2])));
+}
+#define LANES_COMPRESS(to, x, bits) lanes_compress(to, (__m256d)(x), bits)
 #define LANES_GATHER(base, places)                                                                 \
     (real) _mm256_i64gather_pd(base, (__m256i)(places), sizeof(scalar))
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))

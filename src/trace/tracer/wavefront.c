@@ -4,7 +4,7 @@
  */
 #include "trace/tracer/wavefront.h"
 
-#include "trace/tracer/secondary_rays.h"
+#include "trace/tracer/path_nodes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,89 +12,62 @@
 /** Camera rays that are traced side by side, at most. */
 enum { WAVEFRONT_SAMPLES = WAVEFRONT_PACKETS * PACKET_RAYS };
 
-/* Memory of a wavefront, one for each thread that traces; only what is used is ever touched. Camera
-   rays that need more are traced in smaller groups, so the sizes change the time alone. */
-
-/** Most nodes: the rays below all camera rays of a wavefront. */
-enum { NODES_MAXIMUM = 1 << 17 };
-/** Most rays of one level. */
-enum { QUEUE_MAXIMUM = 1 << 14 };
-/** Most rays that are kept for wavefront_resume(). */
-enum { KEPT_MAXIMUM = 1 << 15 };
-
-/** A ray that waits to be traced. */
-typedef struct QueuedRay {
-    Vec3s origin;                             /**< Its origin. */
-    Vec3s direction;                          /**< Its unit direction. */
-    Rgbs throughput;                          /**< See #RayState. */
-    int32_t interior[INTERIOR_LIST_CAPACITY]; /**< The shapes that it is inside of. */
-    int32_t turns;                            /**< See #RayState. */
-    uint32_t node;                            /**< Where its colour goes. */
-    uint16_t sample;                          /**< Index of its camera ray. */
-    uint16_t bounce;                          /**< See #SampleContext. */
-    bool is_refracted;                        /**< Whether it is refracted, not reflected. */
-} QueuedRay;
-
-/** Instead of the index of a node: there is none. */
-static const uint32_t NODE_NONE = UINT32_MAX;
-
-/** A ray in the tree of its camera ray. Rays that go straight on at an overridden surface stay in
- *  one node. Nodes come after their parents, and the reflected ray after the refracted one. Camera
- *  rays below which nothing is traced have no node. */
-typedef struct PathNode {
-    Rgbs weight;      /**< The factor of its colour in that of its parent. */
-    Rgbs local_color; /**< The colour of its surface alone; black where it was not traced. */
-    Rgbs dropped;     /**< What ended at its surface: see #Losses. Its own throughput, where it was
-                           not traced. */
-    Rgbs guarded;     /**< See #Losses. */
-    scalar rays;      /**< Rays in this node beyond the first; -1 where it was not traced. */
-    scalar sum_rays;  /**< #rays, and those below. */
-    Rgbs sum_color;   /**< Its colour, with that of the rays below. */
-    Rgbs sum_dropped; /**< #dropped, with that of the rays below. */
-    Rgbs sum_guarded; /**< #guarded, with that of the rays below. */
-    uint32_t parent;  /**< Index of its parent; #NODE_NONE for a camera ray. */
-} PathNode;
-
-/** The rays of a level. Refracted rays fill it from the front, reflected ones from the back:
- *  neighbours stay together. */
+/** Rays of one kind that wait to be traced. */
 typedef struct RayQueue {
-    QueuedRay *rays; /**< #QUEUE_MAXIMUM rays; owned. */
-    unsigned front;  /**< Number of rays at the front. */
-    unsigned back;   /**< Number of rays at the back. */
+    RayColumns *columns; /**< The rays, from #RAY_COLUMN_FIRST on; owned. */
+    unsigned count;      /**< Number of rays. */
 } RayQueue;
 
+/** Memory of a wavefront, one for each thread that traces; only what is used is ever touched.
+ *  Camera rays that need more are traced in smaller groups, so the sizes change the time alone. */
 struct Wavefront {
-    PathNode *nodes;       /**< The nodes; owned. */
-    unsigned node_count;   /**< Number of nodes. */
+    PathNodes *nodes;      /**< The rays that were traced; owned. */
     unsigned sample_limit; /**< See wavefront_sample_limit(). */
     unsigned sample_count; /**< Number of camera rays that were traced last. */
     bool had_ample_room;   /**< Whether those, and all that was resumed of them, used less than a
                                 quarter of each array. */
-    RayQueue level;        /**< The rays that are traced now. */
-    RayQueue next;         /**< The rays of the next level. */
-    QueuedRay *kept;     /**< Rays for wavefront_resume(), in the order of their bounces; owned. */
-    unsigned kept_count; /**< Number of those. */
-    uint32_t pixel_ids[WAVEFRONT_SAMPLES]; /**< See #SampleContext, per camera ray. */
-    uint32_t roots[WAVEFRONT_SAMPLES];     /**< Nodes of the camera rays, or #NODE_NONE. */
-    unsigned root_lanes[WAVEFRONT_PACKETS][PACKET_VECTORS]; /**< Lanes of camera rays with a node,
-                                                                 as bits. */
+    int interior_count;    /**< Most shapes that a ray may be inside of. */
+    RayQueue level[CHILD_COUNT]; /**< The rays that are traced now. */
+    RayQueue next[CHILD_COUNT];  /**< The rays of the next level. */
+    RayQueue kept[CHILD_COUNT];  /**< Rays for wavefront_resume(), in the order of their bounces. */
+    unsigned kept_end[CHILD_COUNT][DEPTH_MAXIMUM + 2]; /**< Number of those up to each bounce. */
+    unsigned bounces;                                  /**< Number of levels that were traced. */
+    uint32_t pixel_ids[WAVEFRONT_SAMPLES];             /**< See #SampleContext, per camera ray. */
+    unsigned roots[WAVEFRONT_PACKETS][PACKET_VECTORS]; /**< Nodes of the camera rays. */
+    unsigned root_lanes[WAVEFRONT_PACKETS][PACKET_VECTORS]; /**< Lanes of camera rays at whose
+                                                                 surfaces rays start, as bits: the
+                                                                 others need no node. */
 };
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
+/** Allocates a queue for each kind of rays. @return Whether memory sufficed. */
+static bool ray_queues_init(RayQueue *queues) {
+    bool has_memory = true;
+    for (int child = 0; child < CHILD_COUNT; child++) {
+        queues[child].columns = malloc(sizeof *queues[child].columns);
+        has_memory = has_memory && queues[child].columns;
+    }
+    return has_memory;
+}
+
+/** Frees the rays of queues. */
+static void ray_queues_deinit(RayQueue *queues) {
+    for (int child = 0; child < CHILD_COUNT; child++) {
+        free(queues[child].columns);
+    }
+}
+
 Wavefront *wavefront_create(void) {
-    Wavefront *wavefront = malloc(sizeof *wavefront);
+    Wavefront *wavefront = calloc(1, sizeof *wavefront);
     if (!wavefront) {
         return NULL;
     }
     wavefront->sample_limit = WAVEFRONT_SAMPLES;
-    wavefront->sample_count = 0;
-    wavefront->had_ample_room = false;
-    wavefront->nodes = malloc(NODES_MAXIMUM * sizeof *wavefront->nodes);
-    wavefront->level.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->level.rays);
-    wavefront->next.rays = malloc(QUEUE_MAXIMUM * sizeof *wavefront->next.rays);
-    wavefront->kept = malloc(KEPT_MAXIMUM * sizeof *wavefront->kept);
-    if (!wavefront->nodes || !wavefront->level.rays || !wavefront->next.rays || !wavefront->kept) {
+    wavefront->nodes = malloc(sizeof *wavefront->nodes);
+    bool has_level = ray_queues_init(wavefront->level), has_next = ray_queues_init(wavefront->next),
+         has_kept = ray_queues_init(wavefront->kept);
+    if (!wavefront->nodes || !has_level || !has_next || !has_kept) {
         wavefront_destroy(wavefront);
         return NULL;
     }
@@ -104,9 +77,9 @@ Wavefront *wavefront_create(void) {
 void wavefront_destroy(Wavefront *wavefront) {
     if (wavefront) {
         free(wavefront->nodes);
-        free(wavefront->level.rays);
-        free(wavefront->next.rays);
-        free(wavefront->kept);
+        ray_queues_deinit(wavefront->level);
+        ray_queues_deinit(wavefront->next);
+        ray_queues_deinit(wavefront->kept);
         free(wavefront);
     }
 }
@@ -115,19 +88,21 @@ unsigned wavefront_sample_limit(const Wavefront *wavefront) {
     return wavefront->sample_limit;
 }
 
-/** @return The number of rays of a level. */
-static unsigned ray_queue_count(const RayQueue *queue) {
-    return queue->front + queue->back;
+/** @return The number of rays of both kinds. */
+static unsigned ray_queues_count(const RayQueue *queues) {
+    return queues[CHILD_REFLECTED].count + queues[CHILD_REFRACTED].count;
 }
 
-/** @return The place of a ray of a level. @param index Below ray_queue_count(). */
-static const QueuedRay *ray_queue_at(const RayQueue *queue, unsigned index) {
-    return &queue->rays[index < queue->front ? index : QUEUE_MAXIMUM - 1 - (index - queue->front)];
+/** Empties queues. */
+static void ray_queues_clear(RayQueue *queues) {
+    queues[CHILD_REFLECTED].count = queues[CHILD_REFRACTED].count = 0;
 }
 
-/** @return The place of a new ray. @param at_front Whether it comes to the front. */
-static QueuedRay *ray_queue_add(RayQueue *queue, bool at_front) {
-    return &queue->rays[at_front ? queue->front++ : QUEUE_MAXIMUM - 1 - queue->back++];
+/** Adds rays. @param lanes Which lanes, as bits; there is room. */
+INLINE void ray_queue_add(RayQueue *queue, unsigned lanes, const RayVector *rays,
+                          int interior_count) {
+    ray_columns_store(queue->columns, RAY_COLUMN_FIRST + queue->count, lanes, rays, interior_count);
+    queue->count += (unsigned)__builtin_popcount(lanes);
 }
 
 /** Lowers #Wavefront.sample_limit, as memory did not suffice. @return false */
@@ -152,316 +127,319 @@ static void wavefront_raise_limit(Wavefront *wavefront) {
 
 /** Notes how much room the rays of a level leave, before it is traced. */
 static void wavefront_note_room(Wavefront *wavefront) {
-    wavefront->had_ample_room = wavefront->had_ample_room &&
-                                wavefront->node_count < NODES_MAXIMUM / 4 &&
-                                ray_queue_count(&wavefront->level) < QUEUE_MAXIMUM / 4 &&
-                                wavefront->kept_count < KEPT_MAXIMUM / 4;
+    const unsigned few = RAY_COLUMN_CAPACITY / 4;
+    wavefront->had_ample_room =
+        wavefront->had_ample_room && wavefront->nodes->count < NODES_MAXIMUM / 4 &&
+        ray_queues_count(wavefront->level) < few && ray_queues_count(wavefront->kept) < few;
 }
 
-/** @return Whether the rays that start at the surfaces of a packet find room. */
+/** @return Whether a packet, and the rays that start at its surfaces, find room. */
 static bool wavefront_has_room(const Wavefront *wavefront) {
     const unsigned most = 2 * PACKET_RAYS;
-    return wavefront->node_count + most <= NODES_MAXIMUM &&
-           ray_queue_count(&wavefront->next) + most <= QUEUE_MAXIMUM &&
-           wavefront->kept_count + most <= KEPT_MAXIMUM;
+    return wavefront->nodes->count + PACKET_RAYS <= NODES_MAXIMUM &&
+           ray_queues_count(wavefront->next) + most <= RAY_COLUMN_CAPACITY &&
+           ray_queues_count(wavefront->kept) + most <= RAY_COLUMN_CAPACITY;
 }
 
-/* --- from packets to the queue ---------------------------------------------------------------- */
+/* --- from packets to the queues --------------------------------------------------------------- */
 
 /** The rays of a packet in the wavefront. */
 typedef struct PacketSource {
-    uint32_t nodes[PACKET_RAYS];   /**< Their nodes. */
-    uint16_t samples[PACKET_RAYS]; /**< Their camera rays. */
+    unsigned nodes[PACKET_VECTORS];  /**< Their nodes: the first of each vector. */
+    integer samples[PACKET_VECTORS]; /**< Their camera rays. */
 } PacketSource;
 
-/** @return One lane of a vector in memory. */
-INLINE Vec3s vec3_at(const Vec3 *v, int lane) {
-    return (Vec3s){real_at(&v->x, lane), real_at(&v->y, lane), real_at(&v->z, lane)};
-}
-
-/** @return One lane of a colour in memory. */
-INLINE Rgbs rgb_at(const Rgb *c, int lane) {
-    return (Rgbs){real_at(&c->red, lane), real_at(&c->green, lane), real_at(&c->blue, lane)};
-}
-
-/** Adds a colour to a sum. */
-INLINE void rgbs_add_to(Rgbs *sum, Rgbs c) {
-    sum->red += c.red;
-    sum->green += c.green;
-    sum->blue += c.blue;
-}
-
-/** Sets one lane of a colour in memory. */
-INLINE void rgb_set_lane(Rgb *c, int lane, Rgbs value) {
-    real_set_lane(&c->red, lane, value.red);
-    real_set_lane(&c->green, lane, value.green);
-    real_set_lane(&c->blue, lane, value.blue);
-}
-
-/** @return A new node. */
-static uint32_t node_add(Wavefront *wavefront, uint32_t parent, Rgbs weight) {
-    uint32_t index = wavefront->node_count++;
-    PathNode *node = &wavefront->nodes[index];
-    // The sums come later. One by one: gcc clears a whole node by a slow string instruction.
-    node->weight = weight;
-    node->local_color = node->dropped = node->guarded = (Rgbs){0};
-    node->rays = 0;
-    node->parent = parent;
-    return index;
-}
-
-/** Adds the nodes of camera rays at whose surfaces rays start. @param first Index of the first
- *  camera ray of the packet. @param[out] source The nodes. */
-static void roots_add(Wavefront *wavefront, unsigned first, const CameraPacket *packet,
+/** Adds the nodes of camera rays at whose surfaces rays start. @param p Index of the packet.
+ *  @param[out] source The nodes. */
+static void roots_add(Wavefront *wavefront, int p, const CameraPacket *packet,
                       const ScatteredRays *scattered, PacketSource *source) {
-    unsigned *root_lanes = wavefront->root_lanes[first / PACKET_RAYS];
+    const Rgb one = {real_of(1), real_of(1), real_of(1)};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        root_lanes[v] = mask_bits(scattered->refracted.rays.packet.active[v] |
-                                  scattered->reflected.rays.packet.active[v]);
-        for (unsigned left = root_lanes[v]; left; left &= left - 1) {
-            int lane = __builtin_ctz(left), i = v * LANES + lane;
-            uint32_t index = node_add(wavefront, NODE_NONE, (Rgbs){0});
-            PathNode *node = &wavefront->nodes[index];
-            node->local_color = rgb_at(&packet->colors[v], lane);
-            node->dropped = rgb_at(&packet->losses.dropped[v], lane);
-            node->guarded = rgb_at(&packet->losses.guarded[v], lane);
-            wavefront->roots[first + (unsigned)i] = source->nodes[i] = index;
-            source->samples[i] = (uint16_t)(first + (unsigned)i);
+        unsigned lanes = mask_bits(scattered->refracted.rays.packet.active[v] |
+                                   scattered->reflected.rays.packet.active[v]);
+        wavefront->root_lanes[p][v] = lanes;
+        if (lanes) {
+            wavefront->roots[p][v] = source->nodes[v] =
+                path_nodes_add(wavefront->nodes, one, packet->colors[v], packet->losses.dropped[v],
+                               packet->losses.guarded[v]);
+            source->samples[v] = lane_numbers() + (p * PACKET_RAYS + v * LANES);
         }
     }
 }
 
-/** Stores what the rays of a packet saw, without the rays that start there. */
-static void nodes_store(Wavefront *wavefront, const Packet *packet, const PacketSource *source,
-                        const Rgb *colors, const Losses *losses) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        for (unsigned left = mask_bits(packet->active[v]); left; left &= left - 1) {
-            int lane = __builtin_ctz(left);
-            PathNode *node = &wavefront->nodes[source->nodes[v * LANES + lane]];
-            node->local_color = rgb_at(&colors[v], lane);
-            rgbs_add_to(&node->dropped, rgb_at(&losses->dropped[v], lane));
-            rgbs_add_to(&node->guarded, rgb_at(&losses->guarded[v], lane));
-        }
-    }
-}
-
-/** Stores a ray. */
-INLINE void queued_ray_store(QueuedRay *ray, const SecondaryRays *secondary, int v, int lane,
-                             uint32_t node, uint16_t sample) {
+/** @return The secondary rays of a vector, for the queue. */
+INLINE RayVector ray_vector_of(const SecondaryRays *secondary, const PacketSource *source, int v) {
     const RayState *rays = &secondary->rays;
-    ray->origin = vec3_at(&rays->packet.rays[v].origin, lane);
-    ray->direction = vec3_at(&rays->packet.rays[v].direction, lane);
-    ray->throughput = rgb_at(&rays->throughput[v], lane);
-    for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
-        ray->interior[i] = integer_at(&rays->interior[v].shapes[i], lane);
+    const Vec3 *origin = &rays->packet.rays[v].origin, *direction = &rays->packet.rays[v].direction;
+    const Rgb *throughput = &rays->throughput[v], *weight = &secondary->weights[v];
+    return (RayVector){
+        .numbers = {{origin->x, origin->y, origin->z},
+                    {direction->x, direction->y, direction->z},
+                    {throughput->red, throughput->green, throughput->blue},
+                    {weight->red, weight->green, weight->blue}},
+        .turns = rays->turns[v],
+        .parent = lane_numbers() + (int)source->nodes[v],
+        .sample = source->samples[v],
+        .interior = rays->interior[v],
+    };
+}
+
+/** Notes at their parents that rays are kept. @param kept Of their kind. @param parent The first
+ *  node of the vector that they come from. */
+INLINE void kept_rays_link(PathNodes *nodes, Child child, unsigned kept, unsigned lanes,
+                           unsigned parent) {
+    for (; lanes; lanes &= lanes - 1) {
+        unsigned node = parent + (unsigned)__builtin_ctz(lanes);
+        nodes->children[child][node] = NODE_KEPT_FIRST - (int)kept++;
     }
-    ray->turns = integer_at(&rays->turns[v], lane);
-    ray->node = node;
-    ray->sample = sample;
-    ray->bounce = (uint16_t)rays->packet.context.bounce;
-    ray->is_refracted = secondary->type == RAY_REFRACTION;
 }
 
 /**
- * Queues the rays that start at the surfaces of a packet, or keeps them.
+ * Queues the rays of a kind that start at the surfaces of a packet, or keeps them.
  * @param cutoff  Rays of less throughput are kept.
- * @param turns  The turns of the rays that hit the surfaces.
+ * @return The number of rays that are queued.
  */
-static void secondary_rays_queue(Wavefront *wavefront, scalar cutoff, const PacketSource *source,
-                                 const integer *turns, const SecondaryRays *secondary,
-                                 RayCounts *counts) {
-    const RayState *rays = &secondary->rays;
-    bool is_refracted = secondary->type == RAY_REFRACTION;
-    uint64_t *count = is_refracted ? &counts->refraction : &counts->reflection;
+INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child child,
+                                     const PacketSource *source, const SecondaryRays *secondary) {
+    const int interior_count = wavefront->interior_count;
+    RayQueue *next = &wavefront->next[child], *kept = &wavefront->kept[child];
+    unsigned before = next->count;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        unsigned left = mask_bits(rays->packet.active[v]);
-        // Only overridden surfaces count no turn; the weight is 1 there, and the colour black.
-        unsigned passing = left & mask_bits(rays->turns[v] == turns[v]);
-        unsigned heavy = mask_bits(rgb_max(rays->throughput[v]) >= cutoff);
-        for (; left; left &= left - 1) {
-            int lane = __builtin_ctz(left), i = v * LANES + lane;
-            uint32_t node = source->nodes[i];
-            if (passing >> lane & 1) {
-                wavefront->nodes[node].rays++;
-            } else {
-                node = node_add(wavefront, node, rgb_at(&secondary->weights[v], lane));
-            }
-            QueuedRay *ray;
-            if (heavy >> lane & 1) {
-                ray = ray_queue_add(&wavefront->next, is_refracted);
-                ++*count;
-            } else {
-                ray = &wavefront->kept[wavefront->kept_count++];
-                wavefront->nodes[node].dropped = rgb_at(&rays->throughput[v], lane);
-                wavefront->nodes[node].rays = -1;
-            }
-            queued_ray_store(ray, secondary, v, lane, node, source->samples[i]);
+        unsigned lanes = mask_bits(secondary->rays.packet.active[v]);
+        if (lanes == 0) {
+            continue;
+        }
+        mask is_heavy = rgb_max(secondary->rays.throughput[v]) >= cutoff;
+        unsigned heavy = lanes & mask_bits(is_heavy), light = lanes & ~heavy;
+        RayVector rays = ray_vector_of(secondary, source, v);
+        ray_queue_add(next, heavy, &rays, interior_count);
+        if (light) {
+            kept_rays_link(wavefront->nodes, child, kept->count, light, source->nodes[v]);
+            ray_queue_add(kept, light, &rays, interior_count);
         }
     }
+    return next->count - before;
 }
 
 /** Queues the rays that start at the surfaces of a packet. See secondary_rays_queue(). */
 static void scattered_rays_queue(Wavefront *wavefront, scalar cutoff, const PacketSource *source,
-                                 const RayState *rays, const ScatteredRays *scattered,
-                                 RayCounts *counts) {
-    secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered->refracted, counts);
-    secondary_rays_queue(wavefront, cutoff, source, rays->turns, &scattered->reflected, counts);
+                                 const ScatteredRays *scattered, RayCounts *counts) {
+    counts->reflection +=
+        secondary_rays_queue(wavefront, cutoff, CHILD_REFLECTED, source, &scattered->reflected);
+    counts->refraction +=
+        secondary_rays_queue(wavefront, cutoff, CHILD_REFRACTED, source, &scattered->refracted);
+}
+
+/* --- from the queues to packets --------------------------------------------------------------- */
+
+/** A packet made of queued rays. */
+typedef struct GatheredPacket {
+    RayState rays;                         /**< The rays. */
+    InteriorList interior[PACKET_VECTORS]; /**< The shapes that they are inside of. */
+    Rgb weights[PACKET_VECTORS];           /**< See #NODE_WEIGHT. */
+    integer parents[PACKET_VECTORS];       /**< Nodes of the rays that they come from. */
+    uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
+    PacketSource source;                   /**< Their nodes. */
+} GatheredPacket;
+
+/** @return A row of #RayVector.numbers as a vector. */
+INLINE Vec3 vec3_of_row(const real *row) {
+    return (Vec3){row[0], row[1], row[2]};
+}
+
+/** @return A row of #RayVector.numbers as a colour. */
+INLINE Rgb rgb_of_row(const real *row) {
+    return (Rgb){row[0], row[1], row[2]};
+}
+
+/** Sets a vector of a packet. @param lanes The lanes that hold a ray; at least the first. */
+INLINE void packet_set_vector(GatheredPacket *gathered, int v, RayVector *rays, mask lanes) {
+    if (mask_bits(lanes) != ALL_LANES) {
+        ray_vector_repeat_first(rays, lanes);
+    }
+    gathered->rays.packet.rays[v] = ray_of(vec3_of_row(rays->numbers[RAY_COLUMN_ORIGIN]),
+                                           vec3_of_row(rays->numbers[RAY_COLUMN_DIRECTION]));
+    gathered->rays.throughput[v] = rgb_of_row(rays->numbers[RAY_COLUMN_THROUGHPUT]);
+    gathered->rays.turns[v] = rays->turns;
+    gathered->interior[v] = rays->interior;
+    gathered->weights[v] = rgb_of_row(rays->numbers[RAY_COLUMN_WEIGHT]);
+    gathered->parents[v] = rays->parent;
+    gathered->source.samples[v] = rays->sample;
+}
+
+/**
+ * Makes a packet of queued rays.
+ * @param first  Place of the first ray.
+ * @param count  Number of rays, 1 to #PACKET_RAYS.
+ */
+static void packet_gather(const RayColumns *columns, int interior_count, unsigned first,
+                          unsigned count, GatheredPacket *gathered) {
+    Packet *packet = &gathered->rays.packet;
+    gathered->rays.interior = gathered->interior;
+    packet->wants_points = true;
+    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
+        unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
+        packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
+        packet->limit[v] = real_of(INFINITE);
+        gathered->rays.turns[v] = integer_of(0); // Counted on in unused vectors, too.
+        if (fill > 0) {
+            RayVector rays = ray_columns_load(columns, first + done, interior_count);
+            packet_set_vector(gathered, (int)v, &rays, packet->active[v]);
+        }
+    }
+}
+
+/** Sets what identifies the samples of a packet. @param context Of the camera rays. */
+static void packet_set_context(const Wavefront *wavefront, const SampleContext *context,
+                               unsigned bounce, GatheredPacket *gathered) {
+    Packet *packet = &gathered->rays.packet;
+    packet->context = *context;
+    packet->context.bounce = bounce;
+    if (!context->pixel_ids) {
+        return;
+    }
+    packet->context.pixel_ids = gathered->pixel_ids;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        for (int lane = 0; lane < LANES && any(packet->active[v]); lane++) {
+            int sample = integer_at(&gathered->source.samples[v], lane);
+            gathered->pixel_ids[v * LANES + lane] = wavefront->pixel_ids[sample];
+        }
+    }
+}
+
+/**
+ * Adds nodes for the rays of a packet.
+ * @param refracted  How many are refracted; they come first.
+ */
+static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, unsigned refracted,
+                      const Rgb *colors, const Losses *losses) {
+    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
+        unsigned lanes = mask_bits(gathered->rays.packet.active[v]);
+        if (lanes == 0) {
+            return;
+        }
+        unsigned first = path_nodes_add(nodes, gathered->weights[v], colors[v], losses->dropped[v],
+                                        losses->guarded[v]);
+        gathered->source.nodes[v] = first;
+        for (unsigned lane = 0; lane < LANES && lanes >> lane & 1; lane++) {
+            Child child = v * LANES + lane < refracted ? CHILD_REFRACTED : CHILD_REFLECTED;
+            int parent = integer_at(&gathered->parents[v], (int)lane);
+            nodes->children[child][parent] = (int)(first + lane);
+        }
+    }
 }
 
 /**
  * Traces a packet of queued rays, and queues the rays that start at its surfaces.
  * @param cutoff  Rays of less throughput are kept.
  * @param context  Its cutoff is the least throughput of rays that are kept.
+ * @param refracted  How many of the rays are refracted; they come first.
  */
 static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefront, scalar cutoff,
                                                              const TraceContext *context,
-                                                             const RayState *rays,
-                                                             const PacketSource *source) {
+                                                             GatheredPacket *gathered,
+                                                             unsigned refracted) {
     ScatteredRays scattered;
     Rgb colors[PACKET_VECTORS];
     Losses losses;
     losses_clear(&losses);
-    bool is_scattered = shade_and_scatter(context, rays, &scattered, colors, &losses);
-    nodes_store(wavefront, &rays->packet, source, colors, &losses);
+    bool is_scattered = shade_and_scatter(context, &gathered->rays, &scattered, colors, &losses);
+    nodes_add(wavefront->nodes, gathered, refracted, colors, &losses);
     if (is_scattered) {
-        scattered_rays_queue(wavefront, cutoff, source, rays, &scattered, context->counts);
+        scattered_rays_queue(wavefront, cutoff, &gathered->source, &scattered, context->counts);
     }
 }
 
-/* --- from the queue to packets ---------------------------------------------------------------- */
-
-/** A packet made of queued rays. */
-typedef struct GatheredPacket {
-    RayState rays;                         /**< The rays. */
-    InteriorList interior[PACKET_VECTORS]; /**< The shapes that they are inside of. */
-    uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
-    PacketSource source;                   /**< Their nodes. */
-} GatheredPacket;
-
-/** Loads a ray. */
-INLINE void queued_ray_load(const QueuedRay *ray, GatheredPacket *gathered, int v, int lane) {
-    RayState *rays = &gathered->rays;
-    Ray *to = &rays->packet.rays[v];
-    real_set_lane(&to->origin.x, lane, ray->origin.x);
-    real_set_lane(&to->origin.y, lane, ray->origin.y);
-    real_set_lane(&to->origin.z, lane, ray->origin.z);
-    real_set_lane(&to->direction.x, lane, ray->direction.x);
-    real_set_lane(&to->direction.y, lane, ray->direction.y);
-    real_set_lane(&to->direction.z, lane, ray->direction.z);
-    rgb_set_lane(&rays->throughput[v], lane, ray->throughput);
-    integer_set_lane(&rays->turns[v], lane, ray->turns);
-    for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
-        integer_set_lane(&gathered->interior[v].shapes[i], lane, ray->interior[i]);
-    }
+/** Moves the last refracted rays, too few for a packet, to the front of the reflected ones.
+ *  @return How many they are. */
+static unsigned level_join(Wavefront *wavefront) {
+    RayQueue *refracted = &wavefront->level[CHILD_REFRACTED];
+    unsigned rest = refracted->count % PACKET_RAYS;
+    ray_columns_copy(refracted->columns, RAY_COLUMN_FIRST + refracted->count - rest,
+                     wavefront->level[CHILD_REFLECTED].columns, RAY_COLUMN_FIRST - rest, rest,
+                     wavefront->interior_count);
+    refracted->count -= rest;
+    return rest;
 }
 
-/**
- * Makes a packet of rays of the current level. Unused lanes of the last vector get a copy of a ray,
- * which is safe to compute with.
- * @param first  Index of the first ray.
- * @param count  Number of rays, 1 to #PACKET_RAYS.
- */
-static void packet_gather(const Wavefront *wavefront, unsigned first, unsigned count,
-                          GatheredPacket *gathered) {
-    Packet *packet = &gathered->rays.packet;
-    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
-        unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
-        packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
-        packet->limit[v] = real_of(INFINITE);
-        gathered->rays.turns[v] = integer_of(0); // Counted on in unused vectors, too.
-        for (unsigned lane = 0; lane < LANES && fill > 0; lane++) {
-            unsigned i = done + lane;
-            const QueuedRay *ray =
-                ray_queue_at(&wavefront->level, first + (lane < fill ? i : done));
-            queued_ray_load(ray, gathered, (int)v, (int)lane);
-            gathered->source.nodes[i] = ray->node;
-            gathered->source.samples[i] = ray->sample;
-            gathered->pixel_ids[i] = wavefront->pixel_ids[ray->sample];
-        }
-        if (fill > 0) {
-            packet->rays[v] = ray_of(packet->rays[v].origin, packet->rays[v].direction);
-        }
-    }
-}
+/** What all packets of a level have in common. */
+typedef struct Level {
+    const TraceContext *context;         /**< Its cutoff is the least throughput of kept rays. */
+    const SampleContext *sample_context; /**< Of the camera rays. */
+    scalar cutoff;                       /**< Rays of less throughput are kept. */
+    unsigned bounce;                     /**< See #SampleContext. */
+} Level;
 
-/** Traces the rays of the current level. @param bounce See #SampleContext. @return Whether memory
- *  sufficed. */
-static bool wavefront_trace_level(Wavefront *wavefront, scalar cutoff, const TraceContext *context,
-                                  const SampleContext *sample_context, unsigned bounce) {
-    unsigned total = ray_queue_count(&wavefront->level);
-    wavefront_note_room(wavefront);
-    for (unsigned first = 0; first < total; first += PACKET_RAYS) {
+/** Traces rays in columns. @param first Place of the first. @param count Number of rays. @param
+ *  refracted How many are refracted; they come first. @return Whether memory sufficed. */
+static bool wavefront_trace_columns(Wavefront *wavefront, const Level *level,
+                                    const RayColumns *columns, unsigned first, unsigned count,
+                                    unsigned refracted) {
+    for (unsigned done = 0; done < count; done += PACKET_RAYS) {
         GatheredPacket gathered;
-        Packet *packet = &gathered.rays.packet;
         if (!wavefront_has_room(wavefront)) {
             return wavefront_fail(wavefront);
         }
-        packet_gather(wavefront, first, total - first < PACKET_RAYS ? total - first : PACKET_RAYS,
-                      &gathered);
-        gathered.rays.interior = gathered.interior;
-        packet->wants_points = true;
-        packet->context = *sample_context;
-        packet->context.pixel_ids = sample_context->pixel_ids ? gathered.pixel_ids : NULL;
-        packet->context.bounce = bounce;
-        wavefront_trace_packet(wavefront, cutoff, context, &gathered.rays, &gathered.source);
+        packet_gather(columns, wavefront->interior_count, first + done,
+                      count - done < PACKET_RAYS ? count - done : PACKET_RAYS, &gathered);
+        packet_set_context(wavefront, level->sample_context, level->bounce, &gathered);
+        wavefront_trace_packet(wavefront, level->cutoff, level->context, &gathered,
+                               refracted > done ? refracted - done : 0);
     }
     return true;
 }
 
+/** Traces the rays of the current level: neighbours stay together, first the refracted ones.
+ *  @return Whether memory sufficed. */
+static bool wavefront_trace_level(Wavefront *wavefront, const Level *level) {
+    const RayQueue *refracted = &wavefront->level[CHILD_REFRACTED],
+                   *reflected = &wavefront->level[CHILD_REFLECTED];
+    wavefront_note_room(wavefront);
+    unsigned rest = level_join(wavefront);
+    return wavefront_trace_columns(wavefront, level, refracted->columns, RAY_COLUMN_FIRST,
+                                   refracted->count, refracted->count) &&
+           wavefront_trace_columns(wavefront, level, reflected->columns, RAY_COLUMN_FIRST - rest,
+                                   rest + reflected->count, rest);
+}
+
 /** Makes the next level the current one. */
 static void wavefront_advance(Wavefront *wavefront) {
-    RayQueue done = wavefront->level;
-    done.front = done.back = 0;
-    wavefront->level = wavefront->next;
-    wavefront->next = done;
-}
-
-/* --- sums ------------------------------------------------------------------------------------- */
-
-/** Adds up colours and losses, from the leaves to the camera rays. */
-static void nodes_add_up(PathNode *nodes, unsigned count) {
-    for (unsigned i = 0; i < count; i++) {
-        PathNode *node = &nodes[i];
-        node->sum_color = node->local_color;
-        node->sum_dropped = node->dropped;
-        node->sum_guarded = node->guarded;
-        node->sum_rays = node->rays;
-    }
-    for (unsigned i = count; i-- > 0;) {
-        const PathNode *node = &nodes[i];
-        if (node->parent == NODE_NONE) {
-            continue;
-        }
-        PathNode *parent = &nodes[node->parent];
-        parent->sum_color.red += node->weight.red * node->sum_color.red;
-        parent->sum_color.green += node->weight.green * node->sum_color.green;
-        parent->sum_color.blue += node->weight.blue * node->sum_color.blue;
-        rgbs_add_to(&parent->sum_dropped, node->sum_dropped);
-        rgbs_add_to(&parent->sum_guarded, node->sum_guarded);
-        parent->sum_rays += node->sum_rays + 1;
+    for (int child = 0; child < CHILD_COUNT; child++) {
+        RayQueue done = wavefront->level[child];
+        done.count = 0;
+        wavefront->level[child] = wavefront->next[child];
+        wavefront->next[child] = done;
     }
 }
+
+/* --- results ---------------------------------------------------------------------------------- */
 
 /** Sets the results of the camera rays of a packet that have nodes. @param p Its index. */
 static void camera_packet_set_results(const Wavefront *wavefront, int p, CameraPacket *packet) {
-    const uint32_t *roots = wavefront->roots + p * PACKET_RAYS;
+    const PathNodes *nodes = wavefront->nodes;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        unsigned left = mask_bits(packet->lanes[v]) & wavefront->root_lanes[p][v];
-        for (; left; left &= left - 1) {
-            int lane = __builtin_ctz(left);
-            const PathNode *node = &wavefront->nodes[roots[v * LANES + lane]];
-            rgb_set_lane(&packet->colors[v], lane, node->sum_color);
-            rgb_set_lane(&packet->losses.dropped[v], lane, node->sum_dropped);
-            rgb_set_lane(&packet->losses.guarded[v], lane, node->sum_guarded);
-            real_set_lane(&packet->losses.rays[v], lane, node->sum_rays);
+        if (wavefront->root_lanes[p][v] == 0) {
+            continue;
         }
+        unsigned root = wavefront->roots[p][v];
+        mask lanes = packet->lanes[v] & mask_of_bits(wavefront->root_lanes[p][v]);
+        Losses *losses = &packet->losses;
+        packet->colors[v] =
+            rgb_select(lanes, path_nodes_color(nodes, NODE_SUM, root), packet->colors[v]);
+        losses->dropped[v] =
+            rgb_select(lanes, path_nodes_color(nodes, NODE_SUM_DROPPED, root), losses->dropped[v]);
+        losses->guarded[v] =
+            rgb_select(lanes, path_nodes_color(nodes, NODE_SUM_GUARDED, root), losses->guarded[v]);
+        losses->rays[v] = real_select(lanes, real_load(&nodes->rays[root]), losses->rays[v]);
     }
 }
 
 /** Sets the results of all camera rays that are traced. */
 static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, int count) {
+    const RayColumns *const kept[CHILD_COUNT] = {wavefront->kept[CHILD_REFLECTED].columns,
+                                                 wavefront->kept[CHILD_REFRACTED].columns};
     wavefront_note_room(wavefront);
-    nodes_add_up(wavefront->nodes, wavefront->node_count);
+    path_nodes_add_up(wavefront->nodes, kept);
     for (int p = 0; p < count; p++) {
         camera_packet_set_results(wavefront, p, &packets[p]);
     }
@@ -470,14 +448,18 @@ static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, i
 /* --- passes ----------------------------------------------------------------------------------- */
 
 /** Begins the trees of the camera rays of packets. */
-static void wavefront_begin(Wavefront *wavefront, const CameraPacket *packets, int count) {
+static void wavefront_begin(Wavefront *wavefront, const Dielectrics *dielectrics,
+                            const CameraPacket *packets, int count) {
+    size_t shapes = dielectrics->transparent.count;
     wavefront_raise_limit(wavefront);
+    wavefront->interior_count =
+        shapes < INTERIOR_LIST_CAPACITY ? (int)shapes : INTERIOR_LIST_CAPACITY;
     wavefront->sample_count = 0;
     wavefront->had_ample_room = true;
-    wavefront->node_count = 0;
-    wavefront->kept_count = 0;
-    wavefront->level.front = wavefront->level.back = 0;
-    wavefront->next.front = wavefront->next.back = 0;
+    wavefront->nodes->count = 0;
+    ray_queues_clear(wavefront->level);
+    ray_queues_clear(wavefront->next);
+    ray_queues_clear(wavefront->kept);
     memset(wavefront->root_lanes, 0, sizeof wavefront->root_lanes);
     for (int p = 0; p < count; p++) {
         wavefront->sample_count += camera_packet_count(&packets[p]);
@@ -488,11 +470,19 @@ static void wavefront_begin(Wavefront *wavefront, const CameraPacket *packets, i
     }
 }
 
-/** Traces the camera rays of a packet, and queues the rays that start at their surfaces.
- *  @param first Index of the first. See wavefront_trace_packet(). */
+/** Notes that all rays of a bounce that are kept have been. */
+static void wavefront_end_bounce(Wavefront *wavefront, unsigned bounce) {
+    for (int child = 0; child < CHILD_COUNT; child++) {
+        wavefront->kept_end[child][bounce] = wavefront->kept[child].count;
+    }
+    wavefront->bounces = bounce;
+}
+
+/** Traces the camera rays of a packet, and queues the rays that start at their surfaces. @param p
+ *  Its index. See wavefront_trace_packet(). */
 static __attribute__((noinline)) void camera_packet_trace(Wavefront *wavefront, scalar cutoff,
-                                                          const TraceContext *context,
-                                                          unsigned first, CameraPacket *packet) {
+                                                          const TraceContext *context, int p,
+                                                          CameraPacket *packet) {
     ScatteredRays scattered;
     Rgb colors[PACKET_VECTORS];
     Losses losses;
@@ -506,8 +496,8 @@ static __attribute__((noinline)) void camera_packet_trace(Wavefront *wavefront, 
         results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
         if (is_scattered) {
             PacketSource source;
-            roots_add(wavefront, first, packet, &scattered, &source);
-            scattered_rays_queue(wavefront, cutoff, &source, rays, &scattered, context->counts);
+            roots_add(wavefront, p, packet, &scattered, &source);
+            scattered_rays_queue(wavefront, cutoff, &source, &scattered, context->counts);
         }
     }
     memcpy(rays->packet.active, active, sizeof active);
@@ -517,29 +507,21 @@ bool wavefront_trace(Wavefront *wavefront, const TraceContext *context, scalar l
                      CameraPacket *packets, int count) {
     TraceContext keeping = *context;
     keeping.cutoff = least_throughput;
-    wavefront_begin(wavefront, packets, count);
+    Level level = {&keeping, &packets[0].rays->packet.context, context->cutoff, 0};
+    wavefront_begin(wavefront, &context->tracer->dielectrics, packets, count);
     for (int p = 0; p < count; p++) {
-        camera_packet_trace(wavefront, context->cutoff, &keeping, (unsigned)p * PACKET_RAYS,
-                            &packets[p]);
+        camera_packet_trace(wavefront, context->cutoff, &keeping, p, &packets[p]);
     }
-    for (unsigned bounce = 1; ray_queue_count(&wavefront->next) > 0; bounce++) {
+    while (ray_queues_count(wavefront->next) > 0) {
+        wavefront_end_bounce(wavefront, ++level.bounce);
         wavefront_advance(wavefront);
-        if (!wavefront_trace_level(wavefront, context->cutoff, &keeping,
-                                   &packets[0].rays->packet.context, bounce)) {
+        if (!wavefront_trace_level(wavefront, &level)) {
             return false;
         }
     }
+    wavefront_end_bounce(wavefront, level.bounce + 1);
     wavefront_set_results(wavefront, packets, count);
     return true;
-}
-
-/** Queues a ray that was kept. */
-static void kept_ray_queue(Wavefront *wavefront, const QueuedRay *ray, RayCounts *counts) {
-    PathNode *node = &wavefront->nodes[ray->node];
-    node->dropped = (Rgbs){0};
-    node->rays = 0;
-    *ray_queue_add(&wavefront->level, ray->is_refracted) = *ray;
-    *(ray->is_refracted ? &counts->refraction : &counts->reflection) += 1;
 }
 
 /** @return Whether a camera ray is traced. @param sample Its index. */
@@ -548,23 +530,59 @@ static bool is_sample_traced(const CameraPacket *packets, unsigned sample) {
     return mask_lane(packets[sample / PACKET_RAYS].lanes[i / LANES], (int)(i % LANES));
 }
 
+/** @return The rays of a vector whose camera rays are traced, as bits. @param count How many of the
+ *          lanes hold rays. */
+static unsigned resumed_lanes(const CameraPacket *packets, const integer *samples, unsigned count) {
+    unsigned lanes = 0;
+    for (unsigned lane = 0; lane < LANES && lane < count; lane++) {
+        bool is_traced = is_sample_traced(packets, (unsigned)integer_at(samples, (int)lane));
+        lanes |= (unsigned)is_traced << lane;
+    }
+    return lanes;
+}
+
+/** Queues rays that were kept. @param first Index of the first. @param end One more than that of
+ *  the last. @return Their number. */
+static unsigned kept_rays_queue(Wavefront *wavefront, const CameraPacket *packets, Child child,
+                                unsigned first, unsigned end) {
+    RayQueue *level = &wavefront->level[child];
+    unsigned before = level->count;
+    for (; first < end; first += LANES) {
+        RayVector rays = ray_columns_load(wavefront->kept[child].columns, RAY_COLUMN_FIRST + first,
+                                          wavefront->interior_count);
+        ray_queue_add(level, resumed_lanes(packets, &rays.sample, end - first), &rays,
+                      wavefront->interior_count);
+    }
+    return level->count - before;
+}
+
+/** Queues the rays of a bounce that were kept. @return Whether they found room. */
+static bool wavefront_queue_kept(Wavefront *wavefront, const CameraPacket *packets, unsigned bounce,
+                                 RayCounts *counts) {
+    uint64_t *const numbers[CHILD_COUNT] = {&counts->reflection, &counts->refraction};
+    for (int child = 0; child < CHILD_COUNT; child++) {
+        const unsigned *kept_end = wavefront->kept_end[child];
+        unsigned first = bounce > 1 ? kept_end[bounce - 1] : 0, end = kept_end[bounce];
+        if (ray_queues_count(wavefront->level) + (end - first) > RAY_COLUMN_CAPACITY) {
+            return wavefront_fail(wavefront);
+        }
+        *numbers[child] += kept_rays_queue(wavefront, packets, (Child)child, first, end);
+    }
+    return true;
+}
+
 bool wavefront_resume(Wavefront *wavefront, const TraceContext *context, CameraPacket *packets,
                       int count) {
-    const QueuedRay *kept = wavefront->kept, *const end = kept + wavefront->kept_count;
-    wavefront->kept_count = 0;
-    wavefront->next.front = wavefront->next.back = 0;
-    for (unsigned bounce = 1; kept < end || ray_queue_count(&wavefront->next) > 0; bounce++) {
+    const unsigned kept_bounces = wavefront->bounces;
+    Level level = {context, &packets[0].rays->packet.context, context->cutoff, 1};
+    ray_queues_clear(wavefront->next);
+    for (; level.bounce <= kept_bounces || ray_queues_count(wavefront->next) > 0; level.bounce++) {
         wavefront_advance(wavefront);
-        for (; kept < end && kept->bounce == bounce; kept++) {
-            if (ray_queue_count(&wavefront->level) == QUEUE_MAXIMUM) {
-                return wavefront_fail(wavefront);
-            }
-            if (is_sample_traced(packets, kept->sample)) {
-                kept_ray_queue(wavefront, kept, context->counts);
-            }
+        if (level.bounce <= kept_bounces &&
+            !wavefront_queue_kept(wavefront, packets, level.bounce, context->counts)) {
+            return false;
         }
-        if (!wavefront_trace_level(wavefront, context->cutoff, context,
-                                   &packets[0].rays->packet.context, bounce)) {
+        if (!wavefront_trace_level(wavefront, &level)) {
             return false;
         }
     }

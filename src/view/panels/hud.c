@@ -41,6 +41,12 @@ static void add_offset(Hud *hud, const TraceSettings *trace) {
     }
 }
 
+/** @return How many of the camera rays lack light, %: their paths met a guard. See
+ *          #RayCounts.unresolved. */
+static double lacking_percent(const RayCounts *rays) {
+    return 100 * (double)rays->unresolved / (double)rays->camera;
+}
+
 /** Adds the time of a picture, and the cost of the last change. */
 static void add_cost(Hud *hud, const Viewport *viewport) {
     double milliseconds = viewport->render_seconds * 1e3,
@@ -58,8 +64,7 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
         hud_add_row(hud, gettext("rays"), gettext("%.3g million"), rays);
         if (viewport->report.rays.unresolved > 0) {
             hud_add_row(hud, gettext("lacking light"), gettext("%.2g %%, up to %.2g steps"),
-                        100 * (double)viewport->report.rays.unresolved /
-                            (double)viewport->report.rays.camera,
+                        lacking_percent(&viewport->report.rays),
                         viewport->report.rays.unresolved_steps);
         }
     }
@@ -162,6 +167,9 @@ static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
               (double)rays / seconds / million);
     if (report->is_finished) {
         title_add(title, ", finished");
+    }
+    if (report->is_finished && report->rays.unresolved > 0) {
+        title_add(title, ", %.2g %% lack light", lacking_percent(&report->rays));
     }
 }
 

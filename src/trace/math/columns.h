@@ -1,0 +1,88 @@
+/**
+ * @file
+ * @brief Columns: numbers of many rays in memory, the same number of all rays side by side.
+ *
+ * A vector is loaded from a column by one instruction, wherever it starts. To store chosen lanes
+ * one after another is stream compaction: it makes full vectors of sparse ones.
+ */
+#ifndef DIOPTRE_TRACE_MATH_COLUMNS_H
+#define DIOPTRE_TRACE_MATH_COLUMNS_H
+
+#include "trace/math/vec3.h"
+
+#include <string.h>
+
+/** An #integer in memory. */
+#if LANES > 1
+typedef lane_integer integer_scalar;
+#else
+typedef int integer_scalar;
+#endif
+
+/** The rooms of a column for at least n numbers. A vector may be written beyond the last of them;
+ *  and columns side by side must not begin at the same place of a page, where a cache holds only a
+ *  few (8 or 12 ways): three cache lines of 64 bytes more keep them apart. */
+#define COLUMN_ROOMS(n) ((n) + LANES + 3 * 64 / (int)sizeof(scalar))
+
+/** @return LANES numbers of a column. */
+INLINE real real_load(const scalar *from) {
+    real x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+/** Stores LANES numbers. */
+INLINE void real_store(scalar *to, real x) {
+    memcpy(to, &x, sizeof x);
+}
+
+/** @return LANES integers of a column. */
+INLINE integer integer_load(const integer_scalar *from) {
+    integer x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+/** Stores LANES integers. */
+INLINE void integer_store(integer_scalar *to, integer x) {
+    memcpy(to, &x, sizeof x);
+}
+
+/** Stores the lanes whose bits are set, one after another; what follows is written over, up to
+ *  LANES numbers in all. */
+INLINE void real_compress(scalar *to, real x, unsigned bits) {
+#ifdef LANES_COMPRESS
+    LANES_COMPRESS(to, x, bits);
+#else
+    for (; bits; bits &= bits - 1) {
+        *to++ = real_lane(x, __builtin_ctz(bits));
+    }
+#endif
+}
+
+/** See real_compress(). */
+INLINE void integer_compress(integer_scalar *to, integer x, unsigned bits) {
+#ifdef LANES_COMPRESS
+    LANES_COMPRESS((void *)to, x, bits);
+#else
+    for (; bits; bits &= bits - 1) {
+        *to++ = integer_lane(x, __builtin_ctz(bits));
+    }
+#endif
+}
+
+/** @return LANES vectors of three columns. */
+INLINE Vec3 vec3_load(const scalar *x, const scalar *y, const scalar *z) {
+    return (Vec3){real_load(x), real_load(y), real_load(z)};
+}
+
+/** @return The numbers of the lanes: 0, 1, 2 and so on. */
+INLINE integer lane_numbers(void) {
+    integer numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        integer_set_lane(&numbers, i, i);
+    }
+    return numbers;
+}
+
+#endif

@@ -116,7 +116,7 @@ holds "$work/out" '^  = ray 4 ' 'its sum'
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 0 >"$work/out"
 # Fresnel's formula again, from the angle that is told.
 awk '/cos a = /{ sub(/.*cos a = −d·n = /, ""); sub(/,.*/, ""); c = $0 }
-    /Fresnel/{ told = $8; s = sqrt(1 - c * c) / 1.5; t = sqrt(1 - s * s)
+    /Fresnel/{ told = $10; s = sqrt(1 - c * c) / 1.5; t = sqrt(1 - s * s)
         a = (c - 1.5 * t) / (c + 1.5 * t); b = (1.5 * c - t) / (1.5 * c + t); r = (a * a + b * b) / 2
         off = told > r ? told - r : r - told; print off < 2e-4 ? "as computed" : "off by " off " from " r }' \
     "$work/out" >"$work/fresnel"

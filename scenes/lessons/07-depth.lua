@@ -72,9 +72,10 @@ end
 turn(10, 5)
 zoom(8)
 wait(0.5)
-caption { wait = true, en = "Back to our first view. Now let us count rays.",
+caption { en = "Back to our first view. Now let us count rays.",
           fr = "Retour à notre première vue. Comptons maintenant les rayons." }
 press "home"
+wait(3)
 
 ask {
   en = "Which pixels took most rays?",
@@ -91,8 +92,9 @@ ask {
 }
 press "layer rays"
 wait(1)
-caption { wait = true, en = "Once more from the beginning: depth 0.", fr = "Reprenons du début : profondeur 0." }
+caption { en = "Once more from the beginning: depth 0.", fr = "Reprenons du début : profondeur 0." }
 press "as at first"
+wait(3)
 ask(second)
 press "deeper"
 wait(0.5)

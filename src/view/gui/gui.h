@@ -163,7 +163,7 @@ void gui_scroll_to_top(void);
 void gui_at_right(const char *label);
 
 /** Shows what is searched in a box with a caret, as wide as the line. @param text What is typed;
- *  empty: #hint is shown. */
+ *  empty: the hint is shown. */
 void gui_search_box(const char *text, const char *hint);
 
 /** Ends the panel. */

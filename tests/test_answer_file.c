@@ -75,6 +75,10 @@ static void test_lines(void **state) {
     assert_in_range(year, 2020, 9999);
     assert_string_equal(strchr(line, ','), ",\"light\",3,2,1\n");
     assert_memory_equal(text, HEADER, strlen(HEADER));
+    const AnswerRecord wrong = {.lesson = "light", .question = 2, .answer = 3};
+    assert_true(answer_file_append(path, &wrong, &error));
+    line = strrchr(read_text(), 'T');
+    assert_string_equal(strchr(line, ','), ",\"light\",2,3,0\n");
 }
 
 /** A name stays one field, and no formula. */
@@ -83,9 +87,12 @@ static void test_names(void **state) {
     static const struct {
         const char *name;  /**< Of the lesson. */
         const char *field; /**< In the file. */
-    } names[] = {{"a,b", ",\"a,b\",3"},       {"say \"x\"", ",\"say \"\"x\"\"\",3"},
-                 {"=1+1", ",\"'=1+1\",3"},    {"@x", ",\"'@x\",3"},
-                 {"two\nlines", "two lines"}, {"", ",\"\",3"}};
+    } names[] = {{"a,b", ",\"a,b\",3"},
+                 {"say \"x\"", ",\"say \"\"x\"\"\",3"},
+                 {"=HYPERLINK(1)", ",\"'=HYPERLINK(1)\",3"},
+                 {"@x", ",\"'@x\",3"},
+                 {"two\nlines", "two lines"},
+                 {"", ",\"\",3"}};
     for (size_t i = 0; i < COUNT(names); i++) {
         Error error = {0};
         write_text("");
@@ -166,6 +173,7 @@ static void test_full_disk(void **state) {
     assert_non_null(strstr(error.message, "No space left on device"));
     assert_false(answer_file_prepare("/tmp", &error));
     assert_non_null(strstr(error.message, "Is a directory"));
+    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /tmp: "));
     assert_false(answer_file_prepare("/none/answers.csv", &error));
     assert_non_null(strstr(error.message, "No such file"));
 }

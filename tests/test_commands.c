@@ -141,6 +141,65 @@ static void test_split(void **state) {
     assert_int_equal(window_viewport_count(window), 1);
 }
 
+/** The difference of two pictures of a layer is one of its numbers; the screen shows it. */
+static void test_difference_of_layers(void **state) {
+    (void)state;
+    Window *window = &fixture.app.window;
+    static const char *const layers[] = {"layer distance", "layer shapes", "layer places",
+                                         "layer normals"};
+    run_and_settle("split");
+    for (size_t i = 0; i < COUNT(layers); i++) {
+        run(layers[i]);
+        run("other side");
+        run(layers[i]);
+        run("other side");
+        until(window_is_finished(window));
+        run_and_settle("split");
+        assert_int_equal(window->split.mode, SPLIT_DIFFERENCE);
+        until(window_is_finished(window));
+        settle();
+        // Both sides are drawn alike: nothing differs.
+        assert_false(window->split.difference.is_of_two_layers);
+        assert_int_equal(window->split.difference.pixel_count, 64 * 48);
+        assert_true(window->split.difference.max_difference == 0);
+        run("snapshot of the screen");
+        assert_status("saved ");
+        run_and_settle("split back"); // Two pictures again.
+    }
+    assert_int_equal(window->split.mode, SPLIT_BAR);
+}
+
+/** The buttons of the inspector do what its keys do. */
+static void test_inspector_buttons(void **state) {
+    (void)state;
+    App *app = &fixture.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    int sphere = scene_object_keyword_find("sphere");
+    edits_click(app, 0.5, 0.5);
+    assert_int_equal(inspector->number, 1);
+    inspector->edit = (SceneOverride){sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    inspector->has_edit = true;
+    edits_handle_requests(app);
+    assert_false(inspector->has_edit);
+    assert_true(settle());
+    const InspectorRequest requests[] = {INSPECTOR_WRITE, INSPECTOR_COPY, INSPECTOR_UNDO,
+                                         INSPECTOR_REDO};
+    for (size_t i = 0; i < COUNT(requests); i++) {
+        inspector->request = requests[i];
+        edits_handle_requests(app);
+        assert_true(settle());
+        assert_int_equal(edit_history_in_force(&app->edits) > 0, requests[i] != INSPECTOR_UNDO);
+    }
+    assert_non_null(strstr(file_text("scene.lua"), "radius = 2"));
+    inspector->request = INSPECTOR_RAYS;
+    edits_handle_requests(app);
+    assert_true(app->window.ray_view.is_open);
+    run("rays");
+    inspector->request = INSPECTOR_CLOSE;
+    edits_handle_requests(app);
+    assert_int_equal(inspector->number, 0);
+}
+
 /** The chart measures the settings that are drawn while it is open, each once. */
 static void test_chart(void **state) {
     (void)state;
@@ -344,6 +403,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_inspector_buttons, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_chart, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_rays, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),

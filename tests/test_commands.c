@@ -25,7 +25,7 @@ static int set_up(void **state) {
 static void run(const char *name) {
     const Command *command = command_find(command_table, name);
     assert_non_null(command);
-    command_issue(&fixture.app, command, clock_now_seconds());
+    command_issue(&opened.app, command, clock_now_seconds());
 }
 
 /** Runs a command, and waits for the picture. */
@@ -36,7 +36,7 @@ static void run_and_settle(const char *name) {
 
 /** @return The settings that are asked for. */
 static RenderSettings requested(void) {
-    return window_requested_settings(&fixture.app.window);
+    return window_requested_settings(&opened.app.window);
 }
 
 /** Runs the window until something is so; fails after a minute. */
@@ -98,23 +98,23 @@ static void test_layers(void **state) {
                   {"layer shapes", LAYER_SHAPES},   {"layer places", LAYER_UV},
                   {"layer rays", LAYER_RAYS},       {"layer steps", LAYER_STEPS},
                   {"layer time", LAYER_TIME},       {"layer rounding", LAYER_ROUNDING}};
-    Viewport *viewport = &fixture.app.window.viewports[0];
+    Viewport *viewport = &opened.app.window.viewports[0];
     for (size_t i = 0; i < COUNT(layers); i++) {
         run(layers[i].name);
-        until(window_is_finished(&fixture.app.window));
+        until(window_is_finished(&opened.app.window));
         assert_int_equal(viewport->layer, layers[i].layer);
         assert_int_equal(viewport->report.layer.layer, layers[i].layer);
     }
     run("leave");
-    until(window_is_finished(&fixture.app.window));
+    until(window_is_finished(&opened.app.window));
     assert_int_equal(viewport->report.layer.layer, LAYER_SHADED);
-    assert_false(fixture.app.exit.is_requested);
+    assert_false(opened.app.exit.is_requested);
 }
 
 /** Two pictures, their bar and sides, their difference, one picture. */
 static void test_split(void **state) {
     (void)state;
-    Window *window = &fixture.app.window;
+    Window *window = &opened.app.window;
     const SplitView *split = &window->split;
     run_and_settle("split");
     assert_int_equal(split->mode, SPLIT_BAR);
@@ -144,7 +144,7 @@ static void test_split(void **state) {
 /** The difference of two pictures of a layer is one of its numbers; the screen shows it. */
 static void test_difference_of_layers(void **state) {
     (void)state;
-    Window *window = &fixture.app.window;
+    Window *window = &opened.app.window;
     static const char *const layers[] = {"layer distance", "layer shapes", "layer places",
                                          "layer normals"};
     run_and_settle("split");
@@ -172,7 +172,7 @@ static void test_difference_of_layers(void **state) {
 /** The buttons of the inspector do what its keys do. */
 static void test_inspector_buttons(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     ObjectInspector *inspector = &app->window.object_inspector;
     int sphere = scene_object_keyword_find("sphere");
     edits_click(app, 0.5, 0.5);
@@ -203,7 +203,7 @@ static void test_inspector_buttons(void **state) {
 /** The chart measures the settings that are drawn while it is open, each once. */
 static void test_chart(void **state) {
     (void)state;
-    SettingsChartPanel *panel = &fixture.app.window.settings_chart;
+    SettingsChartPanel *panel = &opened.app.window.settings_chart;
     run("chart");
     assert_true(panel->is_open);
     until(panel->chart.count == 1);
@@ -212,7 +212,7 @@ static void test_chart(void **state) {
     assert_true(panel->chart.points[0].error > 0 && panel->chart.points[0].seconds > 0);
     assert_string_not_equal(panel->chart.points[0].name, panel->chart.points[1].name);
     run("samples half");
-    until(window_is_finished(&fixture.app.window));
+    until(window_is_finished(&opened.app.window));
     settle();
     assert_int_equal(panel->chart.count, 2);
     run("light mode"); // Another picture: its points would be compared with those of this one.
@@ -224,7 +224,7 @@ static void test_chart(void **state) {
 /** Rays of a pixel, which is chosen, moved to the pixel beside, seen from elsewhere. */
 static void test_rays(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     RayView *rays = &app->window.ray_view;
     app_pick_pixel(app, 0.5, 0.5);
     assert_true(settle());
@@ -266,7 +266,7 @@ static void test_rays(void **state) {
 /** Camera and lights move, walk, come back; the time of a still scene does not run. */
 static void test_moves(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     const Vec3d light = app->scene->lights[0].position;
     app_move(app, (Movement){.up = 0.5}, (Movement){.forward = 0.5});
     assert_true(settle());
@@ -297,7 +297,7 @@ static void test_moves(void **state) {
 /** What lies over the picture opens and closes; Esc closes the topmost. */
 static void test_panels(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     Window *window = &app->window;
     if (!typeface_find()) {
         skip();
@@ -345,7 +345,7 @@ static void test_panels(void **state) {
 /** View and pictures are copied and saved. */
 static void test_saved(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     until(window_is_finished(&app->window));
     run("copy");
     char *text = SDL_GetClipboardText();
@@ -356,10 +356,10 @@ static void test_saved(void **state) {
     assert_status("saved ");
     const char *name = strrchr(app->title.status_text, '/') + 1;
     assert_memory_equal(file_text(name), "\x89PNG", 4);
-    assert_true(app_save_picture(app, fixture.folder, "shot", &(Error){0}));
+    assert_true(app_save_picture(app, app_folder(), "shot", &(Error){0}));
     name = strrchr(app->title.status_text, '/') + 1;
     assert_memory_equal(file_text(name), "BM", 2);
-    fixture.settings.snapshot_dir = "/none";
+    opened.settings.snapshot_dir = "/none";
     run("snapshot of the screen");
     assert_status("/none");
 }
@@ -367,7 +367,7 @@ static void test_saved(void **state) {
 /** A window that is hidden draws nothing; one whose graphics card was reset shows its picture. */
 static void test_window_events(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     SDL_Event reset = {.type = SDL_RENDER_DEVICE_RESET};
     input_handle_event(app, &reset);
     assert_null(app->window.viewports[0].texture.texture);

@@ -6,8 +6,8 @@
 #ifndef DIOPTRE_TESTS_APP_WINDOW_H
 #define DIOPTRE_TESTS_APP_WINDOW_H
 
+#include "fixtures.h"
 #include "fontconfig_leak.h"
-#include "testing.h"
 
 #include "base/clock.h"
 #include "dioptre/script.h"
@@ -16,65 +16,61 @@
 #include "view/commands/edits.h"
 #include "view/input/input.h"
 
-#include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 /** What a test works with. */
 typedef struct AppWindow {
     App app;               /**< The open window. */
     ViewSettings settings; /**< How it was opened. */
-    char folder[64];       /**< The folder of the scene file, and of copies. */
-    char path[96];         /**< The scene file. */
-    char loaded[128];      /**< The file that was loaded last. */
+    void *files;           /**< The #Fixture with the folder of the scene file, and of copies. */
+    char path[PATH_MAX];   /**< The scene file. */
+    char loaded[PATH_MAX]; /**< The file that was loaded last. */
 } AppWindow;
 
 /** The only window: SDL has one video driver. */
-static AppWindow fixture;
+static AppWindow opened;
 
-/** Writes a file of the folder. */
-static void write_file(const char *name, const char *text) {
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", fixture.folder, name);
-    FILE *file = fopen(path, "we");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+/** Writes a text file of the folder. @return Its path, until the next file is named. */
+static const char *write_text(const char *name, const char *text) {
+    const char *path = fixture_path(&opened.files, name);
+    write_file(path, text, strlen(text));
+    return path;
 }
 
 /** @return The text of a file of the folder, until the next call. */
 static inline const char *file_text(const char *name) {
     static char text[4096];
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", fixture.folder, name);
-    FILE *file = fopen(path, "re");
+    FILE *file = fopen(fixture_path(&opened.files, name), "re");
     assert_non_null(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
     return text;
 }
 
+/** @return The folder of the scene file. */
+static const char *app_folder(void) {
+    return ((const Fixture *)opened.files)->folder;
+}
+
 /** Loads the scene. See #ViewLoader. */
 static Scene *load(void *context, const ViewRequest *request, const atomic_bool *stop,
                    RenderSettings *render, Lesson **lesson, Error *error) {
-    const ScriptRequest script = {.path = request->path ? request->path : fixture.loaded,
+    const ScriptRequest script = {.path = request->path ? request->path : opened.loaded,
                                   .time_limit = SCRIPT_TIME_LIMIT,
                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
                                   .overrides = request->overrides,
                                   .override_count = request->override_count};
     (void)context, (void)stop;
     *lesson = NULL;
-    *render = fixture.settings.render;
+    *render = opened.settings.render;
     Scene *scene = script_load(&script, error);
     if (scene && request->path) {
-        SDL_strlcpy(fixture.loaded, request->path, sizeof fixture.loaded);
+        SDL_strlcpy(opened.loaded, request->path, sizeof opened.loaded);
     }
     return scene;
 }
 
 /** Loads what is asked for, and waits until it is on screen. @return Whether it could be loaded. */
 static bool settle(void) {
-    App *app = &fixture.app;
+    App *app = &opened.app;
     Error error = {0};
     double start = clock_now_seconds();
     bool is_good = true;
@@ -99,43 +95,43 @@ static bool settle(void) {
 /** Opens a window. @param text The scene file. @param part Another file, part.lua. @return 0 if it
  *  is open. */
 static int open_app_window(const char *text, const char *part) {
-    App *app = &fixture.app;
+    App *app = &opened.app;
     Error error = {0};
-    memset(&fixture, 0, sizeof fixture);
+    memset(&opened, 0, sizeof opened);
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     setenv("SDL_RENDER_DRIVER", "software", 1);
-    strcpy(fixture.folder, "/tmp/dioptre-edits-XXXXXX");
-    assert_non_null(mkdtemp(fixture.folder));
-    snprintf(fixture.path, sizeof fixture.path, "%s/scene.lua", fixture.folder);
-    write_file("scene.lua", text);
-    write_file("part.lua", part);
-    fixture.settings = (ViewSettings){.render = {.engine = engine_find("f64x1", &error),
-                                                 .threads = 1,
-                                                 .width = 64,
-                                                 .height = 48,
-                                                 .samples = 1,
-                                                 .trace = {.depth = 2, .epsilon = 1e-4}},
-                                      .path = fixture.path,
-                                      .snapshot_dir = fixture.folder,
-                                      .load = load};
+    if (fixture_set_up(&opened.files) != 0) {
+        return -1;
+    }
+    write_text("part.lua", part);
+    strcpy(opened.path, write_text("scene.lua", text));
+    opened.settings = (ViewSettings){.render = {.engine = engine_find("f64x1", &error),
+                                                .threads = 1,
+                                                .width = 64,
+                                                .height = 48,
+                                                .samples = 1,
+                                                .trace = {.depth = 2, .epsilon = 1e-4}},
+                                     .path = opened.path,
+                                     .snapshot_dir = app_folder(),
+                                     .load = load};
     RenderSettings render;
     Lesson *lesson;
-    Scene *scene = load(NULL, &(ViewRequest){.path = fixture.path}, NULL, &render, &lesson, &error);
+    Scene *scene = load(NULL, &(ViewRequest){.path = opened.path}, NULL, &render, &lesson, &error);
     if (!scene) {
         print_error("%s\n", error.message);
         return -1;
     }
-    *app = (App){.settings = &fixture.settings,
+    *app = (App){.settings = &opened.settings,
                  .commands = command_table,
                  .scene = scene,
                  .input = {.held_keys = {.speed = 1}},
-                 .source = {.loader = {.settings = &fixture.settings}}};
+                 .source = {.loader = {.settings = &opened.settings}}};
     app->source.owned = scene;
     app->window.help.commands = command_table;
     app->first_event = SDL_RegisterEvents(EVENT_COUNT);
     app->source.loader.event = app->first_event + EVENT_SCENE_LOADED;
     if (!video_start(&error) || !view_state_init(&app->home_view, scene, &error) ||
-        !window_open(&app->window, scene, &fixture.settings.render, "scene",
+        !window_open(&app->window, scene, &opened.settings.render, "scene",
                      app->first_event + EVENT_PASS_FINISHED, &error)) {
         print_error("%s\n", error.message);
         return -1;
@@ -148,22 +144,20 @@ static int open_app_window(const char *text, const char *part) {
 /** Closes the window, and removes its folder. @return 0 */
 static int close_app_window(void **state) {
     (void)state;
-    char command[128];
-    App *app = &fixture.app;
+    App *app = &opened.app;
     current_scene_end(app);
     window_close(&app->window);
     SDL_Quit();
     view_state_deinit(&app->home_view);
     edit_history_deinit(&app->edits);
     view_history_clear(&app->moves);
-    snprintf(command, sizeof command, "rm -rf %s", fixture.folder);
-    return system(command);
+    return fixture_tear_down(&opened.files);
 }
 
 /** Fails unless the newest status has some words. */
 static void assert_status(const char *words) {
-    if (!strstr(fixture.app.title.status_text, words)) {
-        fail_msg("'%s' has no '%s'", fixture.app.title.status_text, words);
+    if (!strstr(opened.app.title.status_text, words)) {
+        fail_msg("'%s' has no '%s'", opened.app.title.status_text, words);
     }
 }
 

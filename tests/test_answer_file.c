@@ -3,47 +3,35 @@
  * @brief Tests of the file of answers: its lines, and that a file which others have cut, locked or
  * filled up loses nothing.
  */
-#include "testing.h"
+#include "fixtures.h"
 
 #include "base/clock.h"
 #include "view/lesson/answer_file.h"
 
 #include <fcntl.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/file.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 /** Names of the columns. */
 #define HEADER "time,lesson,question,choice,right\n"
 
 /** The file of a test. */
-static char path[] = "/tmp/dioptre-answers-XXXXXX";
+static const char *path;
 /** Text of the file, as read last. */
 static char text[4096];
 
-/** Creates an empty file. @return 0 if it could. */
-static int set_up(void **state) {
-    (void)state;
-    strcpy(path, "/tmp/dioptre-answers-XXXXXX");
-    int file = mkstemp(path);
-    return file < 0 || close(file) != 0;
-}
-
-/** Removes the file. @return 0 */
-static int tear_down(void **state) {
-    (void)state;
-    unlink(path);
-    return 0;
-}
-
 /** Writes a text into the file. */
 static void write_text(const char *content) {
-    FILE *file = fopen(path, "we");
-    assert_non_null(file);
-    assert_true(fputs(content, file) >= 0);
-    assert_int_equal(fclose(file), 0);
+    write_file(path, content, strlen(content));
+}
+
+/** Creates a folder with an empty file. @return 0 if it could. */
+static int set_up(void **state) {
+    int failed = fixture_set_up(state);
+    path = fixture_path(state, "answers.csv");
+    write_text("");
+    return failed;
 }
 
 /** @return The file's text. */
@@ -75,6 +63,10 @@ static void test_lines(void **state) {
     assert_in_range(year, 2020, 9999);
     assert_string_equal(strchr(line, ','), ",\"light\",3,2,1\n");
     assert_memory_equal(text, HEADER, strlen(HEADER));
+    const AnswerRecord wrong = {.lesson = "light", .question = 2, .answer = 3};
+    assert_true(answer_file_append(path, &wrong, &error));
+    line = strrchr(read_text(), 'T');
+    assert_string_equal(strchr(line, ','), ",\"light\",2,3,0\n");
 }
 
 /** A name stays one field, and no formula. */
@@ -83,9 +75,12 @@ static void test_names(void **state) {
     static const struct {
         const char *name;  /**< Of the lesson. */
         const char *field; /**< In the file. */
-    } names[] = {{"a,b", ",\"a,b\",3"},       {"say \"x\"", ",\"say \"\"x\"\"\",3"},
-                 {"=1+1", ",\"'=1+1\",3"},    {"@x", ",\"'@x\",3"},
-                 {"two\nlines", "two lines"}, {"", ",\"\",3"}};
+    } names[] = {{"a,b", ",\"a,b\",3"},
+                 {"say \"x\"", ",\"say \"\"x\"\"\",3"},
+                 {"=HYPERLINK(1)", ",\"'=HYPERLINK(1)\",3"},
+                 {"@x", ",\"'@x\",3"},
+                 {"two\nlines", "two lines"},
+                 {"", ",\"\",3"}};
     for (size_t i = 0; i < COUNT(names); i++) {
         Error error = {0};
         write_text("");
@@ -166,6 +161,7 @@ static void test_full_disk(void **state) {
     assert_non_null(strstr(error.message, "No space left on device"));
     assert_false(answer_file_prepare("/tmp", &error));
     assert_non_null(strstr(error.message, "Is a directory"));
+    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /tmp: "));
     assert_false(answer_file_prepare("/none/answers.csv", &error));
     assert_non_null(strstr(error.message, "No such file"));
 }
@@ -173,11 +169,11 @@ static void test_full_disk(void **state) {
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_lines, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_names, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_cut_file, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_lock, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_full_disk, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_lines, set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_names, set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_cut_file, set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_lock, set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_full_disk, set_up, fixture_tear_down),
     };
     return cmocka_run_group_tests_name("file of answers", tests, NULL, NULL);
 }

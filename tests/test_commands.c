@@ -25,7 +25,7 @@ static int set_up(void **state) {
 static void run(const char *name) {
     const Command *command = command_find(command_table, name);
     assert_non_null(command);
-    command_issue(&fixture.app, command, clock_now_seconds());
+    command_issue(&opened.app, command, clock_now_seconds());
 }
 
 /** Runs a command, and waits for the picture. */
@@ -36,7 +36,7 @@ static void run_and_settle(const char *name) {
 
 /** @return The settings that are asked for. */
 static RenderSettings requested(void) {
-    return window_requested_settings(&fixture.app.window);
+    return window_requested_settings(&opened.app.window);
 }
 
 /** Runs the window until something is so; fails after a minute. */
@@ -98,23 +98,23 @@ static void test_layers(void **state) {
                   {"layer shapes", LAYER_SHAPES},   {"layer places", LAYER_UV},
                   {"layer rays", LAYER_RAYS},       {"layer steps", LAYER_STEPS},
                   {"layer time", LAYER_TIME},       {"layer rounding", LAYER_ROUNDING}};
-    Viewport *viewport = &fixture.app.window.viewports[0];
+    Viewport *viewport = &opened.app.window.viewports[0];
     for (size_t i = 0; i < COUNT(layers); i++) {
         run(layers[i].name);
-        until(window_is_finished(&fixture.app.window));
+        until(window_is_finished(&opened.app.window));
         assert_int_equal(viewport->layer, layers[i].layer);
         assert_int_equal(viewport->report.layer.layer, layers[i].layer);
     }
     run("leave");
-    until(window_is_finished(&fixture.app.window));
+    until(window_is_finished(&opened.app.window));
     assert_int_equal(viewport->report.layer.layer, LAYER_SHADED);
-    assert_false(fixture.app.exit.is_requested);
+    assert_false(opened.app.exit.is_requested);
 }
 
 /** Two pictures, their bar and sides, their difference, one picture. */
 static void test_split(void **state) {
     (void)state;
-    Window *window = &fixture.app.window;
+    Window *window = &opened.app.window;
     const SplitView *split = &window->split;
     run_and_settle("split");
     assert_int_equal(split->mode, SPLIT_BAR);
@@ -141,10 +141,69 @@ static void test_split(void **state) {
     assert_int_equal(window_viewport_count(window), 1);
 }
 
+/** The difference of two pictures of a layer is one of its numbers; the screen shows it. */
+static void test_difference_of_layers(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    static const char *const layers[] = {"layer distance", "layer shapes", "layer places",
+                                         "layer normals"};
+    run_and_settle("split");
+    for (size_t i = 0; i < COUNT(layers); i++) {
+        run(layers[i]);
+        run("other side");
+        run(layers[i]);
+        run("other side");
+        until(window_is_finished(window));
+        run_and_settle("split");
+        assert_int_equal(window->split.mode, SPLIT_DIFFERENCE);
+        until(window_is_finished(window));
+        settle();
+        // Both sides are drawn alike: nothing differs.
+        assert_false(window->split.difference.is_of_two_layers);
+        assert_int_equal(window->split.difference.pixel_count, 64 * 48);
+        assert_true(window->split.difference.max_difference == 0);
+        run("snapshot of the screen");
+        assert_status("saved ");
+        run_and_settle("split back"); // Two pictures again.
+    }
+    assert_int_equal(window->split.mode, SPLIT_BAR);
+}
+
+/** The buttons of the inspector do what its keys do. */
+static void test_inspector_buttons(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    int sphere = scene_object_keyword_find("sphere");
+    edits_click(app, 0.5, 0.5);
+    assert_int_equal(inspector->number, 1);
+    inspector->edit = (SceneOverride){sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    inspector->has_edit = true;
+    edits_handle_requests(app);
+    assert_false(inspector->has_edit);
+    assert_true(settle());
+    const InspectorRequest requests[] = {INSPECTOR_WRITE, INSPECTOR_COPY, INSPECTOR_UNDO,
+                                         INSPECTOR_REDO};
+    for (size_t i = 0; i < COUNT(requests); i++) {
+        inspector->request = requests[i];
+        edits_handle_requests(app);
+        assert_true(settle());
+        assert_int_equal(edit_history_in_force(&app->edits) > 0, requests[i] != INSPECTOR_UNDO);
+    }
+    assert_non_null(strstr(file_text("scene.lua"), "radius = 2"));
+    inspector->request = INSPECTOR_RAYS;
+    edits_handle_requests(app);
+    assert_true(app->window.ray_view.is_open);
+    run("rays");
+    inspector->request = INSPECTOR_CLOSE;
+    edits_handle_requests(app);
+    assert_int_equal(inspector->number, 0);
+}
+
 /** The chart measures the settings that are drawn while it is open, each once. */
 static void test_chart(void **state) {
     (void)state;
-    SettingsChartPanel *panel = &fixture.app.window.settings_chart;
+    SettingsChartPanel *panel = &opened.app.window.settings_chart;
     run("chart");
     assert_true(panel->is_open);
     until(panel->chart.count == 1);
@@ -153,7 +212,7 @@ static void test_chart(void **state) {
     assert_true(panel->chart.points[0].error > 0 && panel->chart.points[0].seconds > 0);
     assert_string_not_equal(panel->chart.points[0].name, panel->chart.points[1].name);
     run("samples half");
-    until(window_is_finished(&fixture.app.window));
+    until(window_is_finished(&opened.app.window));
     settle();
     assert_int_equal(panel->chart.count, 2);
     run("light mode"); // Another picture: its points would be compared with those of this one.
@@ -165,7 +224,7 @@ static void test_chart(void **state) {
 /** Rays of a pixel, which is chosen, moved to the pixel beside, seen from elsewhere. */
 static void test_rays(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     RayView *rays = &app->window.ray_view;
     app_pick_pixel(app, 0.5, 0.5);
     assert_true(settle());
@@ -207,7 +266,7 @@ static void test_rays(void **state) {
 /** Camera and lights move, walk, come back; the time of a still scene does not run. */
 static void test_moves(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     const Vec3d light = app->scene->lights[0].position;
     app_move(app, (Movement){.up = 0.5}, (Movement){.forward = 0.5});
     assert_true(settle());
@@ -238,7 +297,7 @@ static void test_moves(void **state) {
 /** What lies over the picture opens and closes; Esc closes the topmost. */
 static void test_panels(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     Window *window = &app->window;
     if (!typeface_find()) {
         skip();
@@ -286,7 +345,7 @@ static void test_panels(void **state) {
 /** View and pictures are copied and saved. */
 static void test_saved(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     until(window_is_finished(&app->window));
     run("copy");
     char *text = SDL_GetClipboardText();
@@ -297,10 +356,10 @@ static void test_saved(void **state) {
     assert_status("saved ");
     const char *name = strrchr(app->title.status_text, '/') + 1;
     assert_memory_equal(file_text(name), "\x89PNG", 4);
-    assert_true(app_save_picture(app, fixture.folder, "shot", &(Error){0}));
+    assert_true(app_save_picture(app, app_folder(), "shot", &(Error){0}));
     name = strrchr(app->title.status_text, '/') + 1;
     assert_memory_equal(file_text(name), "BM", 2);
-    fixture.settings.snapshot_dir = "/none";
+    opened.settings.snapshot_dir = "/none";
     run("snapshot of the screen");
     assert_status("/none");
 }
@@ -308,7 +367,7 @@ static void test_saved(void **state) {
 /** A window that is hidden draws nothing; one whose graphics card was reset shows its picture. */
 static void test_window_events(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     SDL_Event reset = {.type = SDL_RENDER_DEVICE_RESET};
     input_handle_event(app, &reset);
     assert_null(app->window.viewports[0].texture.texture);
@@ -344,6 +403,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_inspector_buttons, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_chart, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_rays, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),

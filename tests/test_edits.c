@@ -23,7 +23,7 @@ static double number_of(int sphere, const char *field) {
     double numbers[PARAMETER_NUMBERS_MAXIMUM];
     SceneObject object;
     int keyword = scene_object_keyword_find("sphere");
-    assert_true(scene_object_find(fixture.app.scene, keyword, sphere, &object));
+    assert_true(scene_object_find(opened.app.scene, keyword, sphere, &object));
     scene_object_get(&object, scene_object_row_find(keyword, field), numbers);
     return numbers[0];
 }
@@ -36,7 +36,7 @@ static int set_up(void **state) {
 
 /** Selects an object. */
 static void choose(const char *keyword, int number) {
-    edits_select(&fixture.app, scene_object_keyword_find(keyword), number, NULL);
+    edits_select(&opened.app, scene_object_keyword_find(keyword), number, NULL);
 }
 
 /** Gives a sphere a radius. */
@@ -44,13 +44,13 @@ static void set_radius(int sphere, double radius) {
     int keyword = scene_object_keyword_find("sphere");
     const SceneOverride edit = {
         keyword, sphere, scene_object_row_find(keyword, "radius"), {radius}};
-    edits_set(&fixture.app, &edit, false);
+    edits_set(&opened.app, &edit, false);
 }
 
 /** What the picture shows is selected; the next and the one before, in the file's order. */
 static void test_select(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     const ObjectInspector *inspector = &app->window.object_inspector;
     int sphere = scene_object_keyword_find("sphere");
     Vec3d point;
@@ -80,7 +80,7 @@ static void test_select(void **state) {
 /** A change is seen in the scene, taken back, and done again; a wrong one is refused. */
 static void test_undo(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     edits_undo(app);
     assert_status("there is nothing to undo");
     edits_redo(app);
@@ -108,7 +108,7 @@ static void test_undo(void **state) {
 /** What is dragged moves in steps that one undo takes back. */
 static void test_drag(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     choose("sphere", 2);
     edits_drag(app, (Vec3d){0.5, 0, 0}, false);
     edits_drag(app, (Vec3d){0.5, 0, 0}, true);
@@ -122,7 +122,7 @@ static void test_drag(void **state) {
 /** The selected object is copied as text of the scene language. */
 static void test_copy(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     edits_copy(app);
     assert_status("nothing is selected");
     choose("sphere", 2);
@@ -139,7 +139,7 @@ static void test_copy(void **state) {
 /** Values are written at the object's line; all else of the file stays. */
 static void test_write(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     edits_write(app);
     assert_status("nothing is selected");
     choose("sphere", 2);
@@ -170,7 +170,7 @@ static void test_write(void **state) {
 /** What cannot be written is said, and the file stays as it is. */
 static void test_not_written(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     set_radius(3, 0.5);
     assert_true(settle());
     choose("sphere", 3);
@@ -192,10 +192,10 @@ static void test_not_written(void **state) {
     assert_status("a scene from standard input has no file");
     edits_save_copy(app);
     assert_status("a scene from standard input has no file");
-    strcpy(app->source.path, fixture.path);
+    strcpy(app->source.path, opened.path);
     struct stat info;
-    assert_int_equal(stat(fixture.path, &info), 0);
-    assert_int_equal(truncate(fixture.path, info.st_size - 1), 0); // Its last newline.
+    assert_int_equal(stat(opened.path, &info), 0);
+    assert_int_equal(truncate(opened.path, info.st_size - 1), 0); // Its last newline.
     edits_write(app);
     assert_status("the file has changed");
     assert_int_equal(strlen(file_text("scene.lua")), sizeof SCENE - 2);
@@ -204,7 +204,7 @@ static void test_not_written(void **state) {
 /** A copy of the file has the changes of all objects, and the file none; copies are numbered. */
 static void test_save_copy(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     set_radius(1, 0.75);
     set_radius(2, 0.5);
     assert_true(settle());
@@ -219,10 +219,10 @@ static void test_save_copy(void **state) {
     assert_non_null(strstr(file_text(name), "radius = 0.5 } -- right\n"));
     edits_save_copy(app);
     assert_string_not_equal(strrchr(app->title.status_text, '/') + 1, name);
-    fixture.settings.snapshot_dir = "/none";
+    opened.settings.snapshot_dir = "/none";
     edits_save_copy(app);
     assert_status("not written: ");
-    fixture.settings.snapshot_dir = fixture.folder;
+    opened.settings.snapshot_dir = app_folder();
     set_radius(4, 0.5);
     assert_true(settle());
     edits_save_copy(app);
@@ -232,21 +232,20 @@ static void test_save_copy(void **state) {
 /** A file that becomes wrong leaves the last scene; when it is right again, it is shown. */
 static void test_faulty_file(void **state) {
     (void)state;
-    App *app = &fixture.app;
+    App *app = &opened.app;
     Scene *before = app->scene;
-    write_file("scene.lua", "camera {}\nspher {}\n");
+    write_text("scene.lua", "camera {}\nspher {}\n");
     current_scene_on_file_event(app);
     assert_false(settle());
     assert_true(app->scene == before && app->source.has_load_error);
-    write_file("scene.lua", "camera {}\nlight {}\nsphere { radius = 2 }\n");
+    write_text("scene.lua", "camera {}\nlight {}\nsphere { radius = 2 }\n");
     current_scene_on_file_event(app);
     assert_true(settle());
     assert_false(app->source.has_load_error);
     assert_true(number_of(1, "radius") == 2);
     // Another file has its own objects.
-    write_file("other.lua", "camera {}\nlight {}\nsphere { radius = 3 }\n");
-    char other[128];
-    snprintf(other, sizeof other, "%s/other.lua", fixture.folder);
+    char other[PATH_MAX];
+    strcpy(other, write_text("other.lua", "camera {}\nlight {}\nsphere { radius = 3 }\n"));
     choose("sphere", 1);
     current_scene_open(app, other);
     assert_true(settle());

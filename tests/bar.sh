@@ -96,7 +96,9 @@ for close in '110 24' '740 150'; do
     sleep 0.5
     differs picture list
     # shellcheck disable=SC2086 # Two numbers.
-    xdotool mousemove --window "$window" $close click 1 mousemove --window "$window" 400 500
+    xdotool mousemove --window "$window" $close click 1
+    sleep 0.5
+    xdotool mousemove --window "$window" 400 500
     restored picture "a click at $close closes the list of scenes"
 done
 # The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.

@@ -11,9 +11,9 @@ constexpr float LIGHT_RADIUS = 0.4F;
 /** Rays of the mark of a light. */
 constexpr int LIGHT_RAYS = 8;
 /** Width of the inspector of objects, in heights of letters. */
-constexpr float INSPECTOR_WIDTH = 18;
+constexpr float INSPECTOR_WIDTH = 16.5F;
 /** Width of a widget in it, in heights of letters. */
-constexpr float INSPECTOR_WIDGET_WIDTH = 8.7F;
+constexpr float INSPECTOR_WIDGET_WIDTH = 7.7F;
 /** Opacity of the inspector: no outline is seen through its words. */
 constexpr float INSPECTOR_ALPHA = 0.97F;
 /** How much a pixel of a drag changes the brightness of a colour. */

@@ -104,7 +104,7 @@ static void show_state(LessonPanel *panel) {
     }
 }
 
-/** Shows buttons and title. */
+/** Shows buttons, and the title unless a question needs the room. */
 static void show_controls(LessonPanel *panel) {
     static const char back[] = "\xe2\x97\x80", on[] = "\xe2\x96\xb6\xe2\x96\xb6";
     const char *title = localized(&panel->lesson->title);
@@ -117,8 +117,10 @@ static void show_controls(LessonPanel *panel) {
     }
     show_list(panel);
     show_state(panel);
-    gui_same_line(title);
-    gui_heading(title);
+    if (!panel->is_asking) { // There it would push the answers out of sight.
+        gui_same_line(title);
+        gui_heading(title);
+    }
 }
 
 /** Shows the answers to a question. @param is_explained Whether the right one is shown. */

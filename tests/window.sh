@@ -163,7 +163,7 @@ xdotool key ctrl+shift+Down
 changed rays walked 'Ctrl and arrows walk to another pixel'
 hold 0.3 Right
 changed walked turned 'arrows go around the rays'
-xdotool mousemove --window "$window" 200 300 mousedown 1 mousemove_relative 60 20 mouseup 1
+xdotool mousemove --window "$window" 200 450 mousedown 1 mousemove_relative 60 20 mouseup 1
 changed turned dragged 'so does the mouse'
 shoot
 [ "${view%%  -- *}" = "${before%%  -- *}" ] && ok 'and the camera stays' || fail "the camera moved: $view"

@@ -118,9 +118,9 @@ void action_change_epsilon(App *app, int factor) {
     RenderSettings settings = window_requested_settings(&app->window);
     if (before != settings.trace.offset) {
         // The slider changes two settings at once, and only one of them is under the mouse.
-        app_set_status(app, "offset %s, epsilon %.3g: the scene's own offset, %s, is off",
-                       offset_strategy_names[settings.trace.offset], settings.trace.epsilon,
-                       offset_strategy_names[before]);
+        app_set_status(app, "%s, offset %s, epsilon %.3g: the scene's own offset, %s, is off",
+                       settings.engine->name, offset_strategy_names[settings.trace.offset],
+                       settings.trace.epsilon, offset_strategy_names[before]);
     }
 }
 

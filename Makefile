@@ -190,7 +190,7 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
 COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox valgrind binutils
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
-WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core
+WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core fonttools
 WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
@@ -214,7 +214,7 @@ run: packages
 
 # --- the page ------------------------------------------------------------------------------------
 # The program for a browser, in build/web. What is fetched and compiled is kept in build/web-work.
-.PHONY: web test-web
+.PHONY: web test-web bench-web
 web:
 	@.ci/packages $(WEB_PACKAGES)
 	@command -v npm >/dev/null || .ci/packages npm
@@ -225,6 +225,12 @@ test-web: web packages
 	@.ci/packages chromium firefox-esr
 	@$(MAKE) --no-print-directory -j$$(nproc) all
 	@$(MAKE) --no-print-directory -f src/web/Makefile test-page
+# The page's speed, for doc/web.md. On a quiet machine: it takes a quarter of an hour.
+bench-web: web packages
+	@.ci/packages chromium
+	@$(MAKE) --no-print-directory -j$$(nproc) all
+	@$(MAKE) --no-print-directory -f src/web/Makefile bench-page
+	@doc/figures.sh
 
 # --- other builds --------------------------------------------------------------------------------
 # With the engines that tests ask them for: of each number type and width one.

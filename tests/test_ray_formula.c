@@ -130,8 +130,8 @@ static void check_snell(const RayFormulas *formulas, const RayTreeNode *ray,
     assert_near(sine, n1 * sin(a * (M_PI / 180)), n2, "Snell's product");
 }
 
-/** Checks that the shares in percent and the chain to the weights are those of the rays that follow:
- *  what is not mirrored, refracted or its own is nothing. */
+/** Checks that the shares in percent and the chain to the weights are those of the rays that
+ * follow: what is not mirrored, refracted or its own is nothing. */
 static void check_shares(const RayFormulas *formulas, const RayTreeSurface *surface) {
     double mirrored, refracted, own = 0;
     const char *text = formula_of(formulas, "result");
@@ -160,7 +160,8 @@ static void check_fresnel(const RayFormulas *formulas, const RayTreeNode *ray) {
         assert_non_null(strstr(text, "all is mirrored"));
         return;
     }
-    assert_int_equal(sscanf(text, "R = (r_s² + r_p²) / 2 = %lf is mirrored, 1 − R = %lf", &mirrored, &rest), 2);
+    assert_int_equal(
+        sscanf(text, "R = (r_s² + r_p²) / 2 = %lf is mirrored, 1 − R = %lf", &mirrored, &rest), 2);
     if (a > 0.01 && surface->ior_from != surface->ior_to) {
         double across = sin(a - b) / sin(a + b), along = tan(a - b) / tan(a + b);
         assert_near(mirrored, (across * across + along * along) / 2, 1, "Fresnel");

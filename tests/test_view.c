@@ -355,7 +355,8 @@ static void test_tooltips(void **state) {
     assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");
-    assert_non_null(strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift B"));
+    assert_non_null(
+        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift B"));
     assert_string_equal(tooltip_write(&help, "shadow rays", text),
                         "show or hide the rays to the lamps — Shift 2");
     assert_string_not_equal(tooltip_write(&help, "chart", text),

@@ -6,18 +6,10 @@
 #define FIXTURE_SCENE "scenes/glass-sphere.lua"
 #include "window_texts.h"
 
+#include "fontconfig_leak.h"
+
 #include "dioptre/script.h"
 #include "dioptre/view.h"
-
-#ifdef __SANITIZE_ADDRESS__
-/** Leaks that are not ours: libfontconfig's cache hides its pointers (tests/screen.sh). See the leak
- *  sanitizer. @return Them. */
-const char *__lsan_default_suppressions(void);
-
-const char *__lsan_default_suppressions(void) {
-    return "leak:libfontconfig\n";
-}
-#endif
 
 /** Seconds that the first picture may take. */
 static const double PICTURE_SECONDS = 60;

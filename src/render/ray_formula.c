@@ -82,7 +82,8 @@ Vec3d ray_front_normal(const RayTreeNode *ray) {
 
 bool ray_is_through_glass(const RayTreeNode *ray) {
     Rgbd left = ray->transmittance;
-    return ray->kind == RAY_SHADOW && !ray->is_hit && (left.red < 1 || left.green < 1 || left.blue < 1);
+    return ray->kind == RAY_SHADOW && !ray->is_hit &&
+           (left.red < 1 || left.green < 1 || left.blue < 1);
 }
 
 double ray_refraction_cosine(const RayTreeSurface *surface) {
@@ -206,8 +207,8 @@ static void add_fresnel(const RayTreeSurface *surface, RayFormulas *formulas) {
     double along = (to * a - from * b) / (to * a + from * b);
     double sine = sqrt(fmax(0, 1 - a * a)), bent = from * sine / to;
     add(formulas, gettext("angle b"),
-        "sin b = n1 sin a / n2 = %.4g × %.4g / %.4g = %.4g, cos b = %.4g, b = %.2f°", from, sine, to,
-        bent, b, degrees(b));
+        "sin b = n1 sin a / n2 = %.4g × %.4g / %.4g = %.4g, cos b = %.4g, b = %.2f°", from, sine,
+        to, bent, b, degrees(b));
     add(formulas, "r_s",
         "(n1 cos a − n2 cos b) / (n1 cos a + n2 cos b) = "
         "(%.4g × %.4g − %.4g × %.4g) / (%.4g × %.4g + %.4g × %.4g) = %.4g",
@@ -217,8 +218,8 @@ static void add_fresnel(const RayTreeSurface *surface, RayFormulas *formulas) {
         "(%.4g × %.4g − %.4g × %.4g) / (%.4g × %.4g + %.4g × %.4g) = %.4g",
         to, a, from, b, to, a, from, b, along);
     add(formulas, gettext("Fresnel"),
-        gettext("R = (r_s² + r_p²) / 2 = %.4g is mirrored, 1 − R = %.4g goes on"),
-        surface->fresnel, 1 - surface->fresnel);
+        gettext("R = (r_s² + r_p²) / 2 = %.4g is mirrored, 1 − R = %.4g goes on"), surface->fresnel,
+        1 - surface->fresnel);
     add_weights(surface, formulas);
 }
 
@@ -345,9 +346,9 @@ static void add_own_terms(const RayFormulaInput *input, const RayTreeNode *ray, 
             add(sum, gettext("its own light"), "%s", color_text(surface->emission).text);
         }
         if (is_bright(ambient)) {
-            add(sum, gettext("light from everywhere"), gettext("own colour × ambient = %s × %s = %s"),
-                color_text(surface->albedo).text, color_text(surface->ambient).text,
-                color_text(ambient).text);
+            add(sum, gettext("light from everywhere"),
+                gettext("own colour × ambient = %s × %s = %s"), color_text(surface->albedo).text,
+                color_text(surface->ambient).text, color_text(ambient).text);
         }
     }
 }

@@ -30,18 +30,19 @@ void app_set_status(App *app, const char *format, ...) {
 }
 
 void app_sync_window(App *app) {
-    window_set_state(&app->window, &(WindowState){.scene = app->scene,
-                                                  .selected_light = app->selected_light,
-                                                  .is_animated = app_is_animated(app),
-                                                  .is_running = app->timeline.is_running,
-                                                  .is_recording = app_is_recording(app),
-                                                  .is_playing = app_is_playing(app),
-                                                  .can_undo = app->moves.done > 0 ||
-                                                              edit_history_in_force(&app->edits) > 0,
-                                                  .can_redo = app->moves.done < app->moves.count ||
-                                                              app->edits.done < app->edits.count,
-                                                  .edits = &app->edits,
-                                                  .is_light_moved = app->home_view.is_light_moved});
+    window_set_state(
+        &app->window,
+        &(WindowState){.scene = app->scene,
+                       .selected_light = app->selected_light,
+                       .is_animated = app_is_animated(app),
+                       .is_running = app->timeline.is_running,
+                       .is_recording = app_is_recording(app),
+                       .is_playing = app_is_playing(app),
+                       .can_undo = app->moves.done > 0 || edit_history_in_force(&app->edits) > 0,
+                       .can_redo =
+                           app->moves.done < app->moves.count || app->edits.done < app->edits.count,
+                       .edits = &app->edits,
+                       .is_light_moved = app->home_view.is_light_moved});
 }
 
 void app_clear_status(App *app) {

@@ -8,6 +8,7 @@
  */
 #include "dioptre/engine.h"
 #include "view/app.h"
+#include "web/description.h"
 
 #include <SDL.h>
 #include <emscripten.h>
@@ -307,10 +308,24 @@ static bool state_read(App *app, char *text) {
 /** The window's own function. */
 void __real_input_handle_event(App *app, const SDL_Event *event);
 
+/** Tells the page what a finished picture shows. */
+static void tell_description(App *app) {
+    const Viewport *viewport = window_active_viewport(&app->window);
+    if (viewport->renderer && renderer_progress(viewport->renderer) >= 1) {
+        char *text = description_write(app);
+        MAIN_THREAD_EM_ASM(
+            { Module['onDescription'] && Module['onDescription'](UTF8ToString($0)); }, text);
+        free(text);
+    }
+}
+
 /** Handles an event: those of the page here. See #input_handle_event. */
 void __wrap_input_handle_event(App *app, const SDL_Event *event) {
     if (event->type != STATE_EVENT) {
         __real_input_handle_event(app, event);
+        if (event->type == app->first_event + EVENT_PASS_FINISHED) {
+            tell_description(app);
+        }
         return;
     }
     char *text = event->user.data1;

@@ -9,14 +9,19 @@
 
 #include <SDL.h>
 #include <math.h>
+#include <stdbool.h>
 
 /** SDL's own function. */
 int __real_SDL_PushEvent(SDL_Event *event);
 
-/** Pushes an event, and wakes the window. See SDL_PushEvent(). */
+/** Pushes an event, and wakes the window. SDL_PollEvent() pushes a mark behind those that it has
+ * seen: to wake for it would keep the window looking for events for ever. See SDL_PushEvent(). */
 int __wrap_SDL_PushEvent(SDL_Event *event) {
+    bool is_mark = event->type == SDL_POLLSENTINEL;
     int status = __real_SDL_PushEvent(event);
-    waits_wake();
+    if (!is_mark) {
+        waits_wake();
+    }
     return status;
 }
 
@@ -26,6 +31,7 @@ int __real_SDL_WaitEventTimeout(SDL_Event *event, int milliseconds);
 /** Waits for an event until a time. @param until Of the clock, seconds. @return Whether one came.
  */
 static int wait_until(SDL_Event *event, double until) {
+    waits_yield();
     int is_there = __real_SDL_WaitEventTimeout(event, 0);
     while (!is_there && clock_now_seconds() < until) {
         waits_sleep(until);

@@ -35,6 +35,22 @@ const testErrors = async (page, text) => {
   check(true, `memory has its limit: ${await waitError(page, /MiB|memory/)}`);
 };
 
+/** What a reader of screens says of the picture follows text and layer. */
+const testDescription = async (page, text) => {
+  const described = (pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("canvas").getAttribute("aria-label")),
+    pattern.source, { timeout: PATIENCE });
+  await described(/box; shapes: 1 sphere, 6 quad, 1 box; mirrors: 2, glass: 0, lights: 1; .*\(0, 0, 6\.5\)/);
+  await editText(page, text + "\nsphere { center = {0, 0, 0}, radius = 0.5 }\n");
+  await described(/2 sphere.*middle is: sphere/);
+  await page.focus("#canvas");
+  await page.keyboard.press("2");
+  await described(/layer/);
+  await page.keyboard.press("1");
+  await editText(page, text);
+  await described(/1 sphere.*middle is: quad$/);
+  check(true, `the picture is described: ${await page.getAttribute("#canvas", "aria-label")}`);
+};
+
 /** Words and fields are those of the program's tables. */
 const testCompletion = async (page, text) => {
   await editText(page, text);
@@ -53,6 +69,9 @@ const testCompletion = async (page, text) => {
   const choices = await labels("ius = 1 } light { falloff = \"in");
   check(choices.length > 0 && choices.every((choice) => /in/.test(choice)), `and choices: ${choices}`);
   await editText(page, text);
+  const functions = await labels("\nlocal x = math.s");
+  check(functions.includes("math.sin") && !functions.includes("radius"), `and functions: ${functions}`);
+  await editText(page, text);
 };
 
 const testWindow = async (browser, url, mode) => {
@@ -61,6 +80,7 @@ const testWindow = async (browser, url, mode) => {
   check((await page.textContent("#mode")).includes(mode), `it says how it runs: ${await page.textContent("#mode")}`);
   const text = await editorText(page);
   check(text === fs.readFileSync("scenes/box.lua", "utf8"), "the editor shows the text of the box");
+  await testDescription(page, text);
   await testKeys(page);
   await testErrors(page, text);
   await testCompletion(page, text);

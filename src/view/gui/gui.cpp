@@ -87,8 +87,8 @@ bool is_leaving(const SDL_Event *event) {
            !ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/** @return Whether an event is of a function key, or of a letter with Ctrl while no number is typed:
- *  those are for the program. */
+/** @return Whether an event is of a function key, or of a letter with Ctrl while no number is
+ * typed: those are for the program. */
 bool is_program_key(const SDL_Event *event) {
     if (event->type == SDL_TEXTINPUT) {
         return false;

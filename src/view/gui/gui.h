@@ -53,7 +53,8 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
-/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it back.
+/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it
+ * back.
  *  @return Whether it has it now. */
 bool gui_give_keyboard(Gui *gui);
 

@@ -50,8 +50,8 @@ double round_color(double linear) {
  *  has changed it. */
 bool drag_or_slide(const char *id, double *number, double high) {
     const double low = 0;
-    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high, BRIGHTNESS,
-                                           ImGuiSliderFlags_AlwaysClamp)
+    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high,
+                                           BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp)
                      : ImGui::DragScalar(id, ImGuiDataType_Double, number, COLOR_DRAG, &low, &high,
                                          BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp);
 }

@@ -72,10 +72,10 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
         // Always the same place, wherever the list was scrolled to.
         const float scrolled = ImGui::GetScrollY() - ImGui::GetWindowPos().y;
         const float top = ImGui::GetItemRectMin().y + scrolled;
-        const float bottom = ImGui::GetItemRectMax().y + scrolled, height = ImGui::GetWindowHeight();
+        const float bottom = ImGui::GetItemRectMax().y + scrolled,
+                    height = ImGui::GetWindowHeight();
         bool is_on_first_page = bottom + ImGui::GetStyle().WindowPadding.y <= height;
-        ImGui::SetScrollY(
-            is_on_first_page ? 0 : floorf(fmaxf(0, (top + bottom) / 2 - height / 2)));
+        ImGui::SetScrollY(is_on_first_page ? 0 : floorf(fmaxf(0, (top + bottom) / 2 - height / 2)));
         gui_request_frames(current_gui()); // The list knows its height in the next one.
     }
     ImGui::PopID();

@@ -107,16 +107,16 @@ static void draw_thumbnail(const SceneList *list, const SceneEntry *entry, Pictu
                            Error *error) {
     const ViewSettings *settings = list->settings;
     RenderSettings render;
-    Scene *scene =
-        settings->preview(settings->loader_context, entry->path, &list->should_stop, &render, error);
+    Scene *scene = settings->preview(settings->loader_context, entry->path, &list->should_stop,
+                                     &render, error);
     if (!scene) {
         return;
     }
     render.threads = 1;
     render.samples = SDL_min(render.samples, 2);
     // A lesson may begin with black mirrors and glass, which says nothing of what comes.
-    render.trace.depth = entry->is_lesson ? SDL_max(render.trace.depth, LESSON_DEPTH)
-                                          : render.trace.depth;
+    render.trace.depth =
+        entry->is_lesson ? SDL_max(render.trace.depth, LESSON_DEPTH) : render.trace.depth;
     render.width = THUMBNAIL_WIDTH;
     render.height = THUMBNAIL_HEIGHT;
     Renderer *renderer = renderer_create(scene, &render, error);

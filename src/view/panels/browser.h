@@ -25,7 +25,7 @@ typedef struct Browser {
     bool is_close_requested;          /**< Whether the button that closes the list was clicked. */
     size_t described; /**< Index of the scene whose title is shown: the one under the mouse, else
                            the selected one. */
-    int columns;                      /**< Thumbnails per line in the last frame; 0: none yet. */
+    int columns;      /**< Thumbnails per line in the last frame; 0: none yet. */
     SDL_Texture *textures[SCENE_LIST_MAXIMUM]; /**< The thumbnails; NULL: not yet; owned. */
 } Browser;
 

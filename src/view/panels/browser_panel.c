@@ -92,8 +92,7 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
                                         .is_selected = is_selected,
                                         .scrolls_to_it = is_selected && browser->scrolls};
         int column = (int)((i - first) % (size_t)browser->columns);
-        GuiMouse mouse =
-            gui_thumbnail((int)index, &thumbnail, column, width, &scene->is_in_sight);
+        GuiMouse mouse = gui_thumbnail((int)index, &thumbnail, column, width, &scene->is_in_sight);
         browser->described = mouse == GUI_IDLE ? browser->described : index;
         if (mouse == GUI_CLICKED) {
             browser->selected = index;

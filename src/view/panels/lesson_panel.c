@@ -92,10 +92,10 @@ static bool is_asked_again(const LessonPanel *panel) {
 
 /** Shows what the lesson waits for. */
 static void show_state(LessonPanel *panel) {
-    const char *label = gettext(is_asked_again(panel)  ? N_("Once more: what do you predict now?")
-                                : panel->is_asking  ? N_("What do you predict?")
-                                : panel->is_waiting ? N_("go on (Space)")
-                                                    : N_("hold (Space)"));
+    const char *label = gettext(is_asked_again(panel) ? N_("Once more: what do you predict now?")
+                                : panel->is_asking    ? N_("What do you predict?")
+                                : panel->is_waiting   ? N_("go on (Space)")
+                                                      : N_("hold (Space)"));
     gui_same_line(label);
     if (panel->is_asking) {
         gui_heading(label);

@@ -210,11 +210,11 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         ray_view->buttons_fraction > 0 ? ray_view->buttons_fraction : BUTTONS_FRACTION;
     const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
               top = (int)(buttons * area->h + 0.5), formulas = (int)(FORMULAS_FRACTION * area->h);
-    RayViewLayout layout = {.buttons = {area->x, area->y, area->w, top},
-                            .formulas = {area->x, area->y + top, width, formulas},
-                            .view = {area->x, area->y + top + formulas, width,
-                                     SDL_max(1, area->h - top - formulas)},
-                            .inset = inset_rect(ray_view, area)};
+    RayViewLayout layout = {
+        .buttons = {area->x, area->y, area->w, top},
+        .formulas = {area->x, area->y + top, width, formulas},
+        .view = {area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)},
+        .inset = inset_rect(ray_view, area)};
     if (ray_view->pane != RAY_PANE_NONE) {
         layout.pane = layout.view;
         layout.view.w = SDL_max(1, (int)(width * (1 - PANE_FRACTION)));

@@ -189,8 +189,8 @@ static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rec
     gui_panel_end();
 }
 
-/** Shows the row of buttons: how to leave, the rays one by one, the drawings beside the view, and the
- *  kinds of rays. */
+/** Shows the row of buttons: how to leave, the rays one by one, the drawings beside the view, and
+ * the kinds of rays. */
 static void show_buttons(RayView *ray_view, const Help *help, const SDL_Rect *area) {
     const struct {
         const char *command; /**< What the button does. */

@@ -35,7 +35,8 @@ static void request(Toolbar *toolbar, const char *command, int repetitions) {
 static void command_button(Toolbar *toolbar, const ToolbarContent *content, const char *label,
                            const char *command, bool is_on) {
     char text[TOOLTIP_SIZE];
-    request(toolbar, command, gui_button(label, tooltip_write(content->help, command, text), is_on));
+    request(toolbar, command,
+            gui_button(label, tooltip_write(content->help, command, text), is_on));
 }
 
 /** A button that issues a command, dimmed while that would do nothing. */
@@ -43,9 +44,9 @@ static void possible_button(Toolbar *toolbar, const ToolbarContent *content, con
                             const char *command, bool is_possible) {
     char text[TOOLTIP_SIZE];
     gui_same_line(label);
-    request(toolbar, command,
-            gui_step_button(label, tooltip_write(content->help, command, text), is_possible,
-                            false));
+    request(
+        toolbar, command,
+        gui_step_button(label, tooltip_write(content->help, command, text), is_possible, false));
 }
 
 /** A list whose next entry a command chooses, cyclically. @param explained See #gui_choice. */
@@ -104,9 +105,9 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const double shown = fmax(trace->epsilon, EPSILON_LOW);
     double epsilon = shown;
     snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
-    if (gui_log_slider("epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
-                       tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ",
-                                          text))) {
+    if (gui_log_slider(
+            "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
+            tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
         int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
     }

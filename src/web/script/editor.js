@@ -54,8 +54,8 @@ const fieldOption = (field) => ({
   detail: field.choices.length > 0 ? field.choices.map((choice) => `"${choice}"`).join(" ") : field.unit, info: field.help || undefined,
 });
 
-/** Completes the fields of a keyword inside its braces, choices inside quotes, keywords elsewhere. */
-const completeFrom = (words) => (context) => {
+/** Completes the fields of a keyword inside its braces, choices inside quotes, keywords and functions elsewhere. */
+const completeFrom = ({ keywords: words, functions }) => (context) => {
   const before = context.state.sliceDoc(0, context.pos);
   const keyword = openKeyword(before, words);
   const quoted = /(\w+)\s*=\s*"(\w*)$/.exec(before);
@@ -64,12 +64,13 @@ const completeFrom = (words) => (context) => {
     return field && field.choices.length > 0
       ? { from: context.pos - quoted[2].length, options: field.choices.map((label) => ({ label, type: "enum" })) } : null;
   }
-  const typed = context.matchBefore(/[A-Za-z_]\w*/);
+  const typed = context.matchBefore(/[A-Za-z_][\w.]*/);
   if (!typed && !context.explicit) {
     return null;
   }
-  const keywords = words.map((word) => ({ label: word.name, type: "class", info: word.help || undefined }));
-  const isValue = /=\s*\w*$/.test(before);
+  const keywords = words.map((word) => ({ label: word.name, type: "class", info: word.help || undefined }))
+    .concat(functions.map((label) => ({ label, type: "function" })));
+  const isValue = /[=(+*/^-]\s*[\w.]*$/.test(before);
   return { from: typed ? typed.from : context.pos, options: keyword && !isValue ? keyword.fields.map(fieldOption)
     .concat(keyword.is_shape ? [{ label: "material", type: "property", apply: "material = " }] : []) : keywords };
 };

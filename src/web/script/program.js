@@ -4,13 +4,17 @@ import { isOneFile, readFile, scriptUrl } from "./files.js";
 /** Milliseconds that a service worker may take to start. */
 const WORKER_PATIENCE = 5000;
 
+/** A service worker keeps the files for the next visit. */
+const register = () => navigator.serviceWorker.register("service-worker.js").catch(() => null);
+
 /** A service worker adds the headers for shared memory where the host sent none: one reload. @return Whether it reloads. */
 const isReloading = async () => {
   if (isOneFile || !navigator.serviceWorker) {
     return false;
   }
-  const registration = await navigator.serviceWorker.register("service-worker.js").catch(() => null);
-  if (registration && !self.crossOriginIsolated && !sessionStorage.getItem("reloaded")) {
+  if (self.crossOriginIsolated) {
+    register(); // Nobody waits for it: that took up to a third of the time to the first picture.
+  } else if (!sessionStorage.getItem("reloaded") && await register()) {
     await Promise.race([navigator.serviceWorker.ready, new Promise((resolve) => setTimeout(resolve, WORKER_PATIENCE))]);
     sessionStorage.setItem("reloaded", "1");
     location.reload();
@@ -34,24 +38,41 @@ export const chooseMode = async () => {
   return { hasSimd, isReloading: false, isThreaded, threads: isThreaded ? navigator.hardwareConcurrency || 1 : 1 };
 };
 
-const loadScript = (source) => new Promise((resolve, reject) => {
+/** Runs a script of the page. */
+export const loadScript = async (name) => {
   const element = document.createElement("script");
-  element.src = source;
-  element.onload = resolve;
-  element.onerror = () => reject(new Error(source));
-  document.head.append(element);
-});
+  element.src = await scriptUrl(name);
+  return new Promise((resolve, reject) => {
+    element.onload = resolve;
+    element.onerror = () => reject(new Error(name));
+    document.head.append(element);
+  });
+};
 
-/** Starts the program. @param settings Of the module, which is returned. */
-export const startProgram = async (mode, settings) => {
+/** Compiles while it is fetched, where the host says what it is. */
+const compile = async (name) => {
+  const streamed = isOneFile ? null : await WebAssembly.compileStreaming(fetch(name)).catch(() => null);
+  return streamed || WebAssembly.compile(await readFile(name));
+};
+
+/** Begins to load the program: all parts at once. @return What startProgram() takes. */
+export const loadProgram = (mode) => {
   const name = mode.isThreaded ? "dioptre" : "dioptre-single";
-  const own = { locateFile: (file) => file.replace("-single.data", ".data") };
-  if (isOneFile) {
-    const data = await readFile("dioptre.data");
-    own.wasmBinary = await readFile("dioptre-single.wasm");
-    own.getPreloadedPackage = () => data.slice().buffer;
-  }
-  await loadScript(await scriptUrl(name + ".js"));
+  return { wasm: compile(name + ".wasm"), script: loadScript(name + ".js"), data: readFile("dioptre.data") };
+};
+
+/** Starts the program. @param parts Of loadProgram(). @param settings Of the module, which is returned. */
+export const startProgram = async (parts, settings) => {
+  const wasm = await parts.wasm, data = await parts.data;
+  await parts.script;
+  const own = {
+    // The files are there before the scene of a link is written among them: they would not replace it.
+    getPreloadedPackage: () => data.slice().buffer,
+    instantiateWasm: (imports, done) => {
+      WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm));
+      return {};
+    },
+  };
   const module = { ...own, ...settings };
   self.Module = module;
   return self.createDioptre(module);

@@ -1,9 +1,9 @@
 // Starts the page: loads the program, and ties the scene's text to its window.
-import { createEditor } from "./editor.js";
+import { describe } from "./description.js";
 import { readFile, isOneFile } from "./files.js";
 import { pack, unpack } from "./link.js";
 import { createPanel } from "./panel.js";
-import { chooseMode, startProgram } from "./program.js";
+import { chooseMode, loadProgram, loadScript, startProgram } from "./program.js";
 import { isFrench, say, translate } from "./words.js";
 
 const SCENES = "/scenes/";
@@ -178,8 +178,9 @@ const afterPicture = async (later) => {
     await new Promise((resolve) => setTimeout(resolve, 20));
   }
   performance.mark("picture");
+  await loadScript("editor.js");
   const pointer = module._web_words();
-  editor = createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
+  editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
   module._free(pointer);
   editor.setText(module.FS.readFile(shown, { encoding: "utf8" }));
   createPanel({ scene: () => shown, files: sceneFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
@@ -231,13 +232,14 @@ const start = async () => {
     return;
   }
   showMode(mode);
+  const parts = loadProgram(mode);
   const files = JSON.parse(new TextDecoder().decode(await readFile("files.json")));
   let refusal = "";
   opened = location.hash.length > 1 ? await unpack(location.hash.slice(1)).catch((error) => { refusal = error.message; return null; }) : null;
   for (const name of files.scenes) {
     $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
   }
-  const isReady = startProgram(mode, {
+  const isReady = startProgram(parts, {
     canvas: $("canvas"),
     arguments: ["view", SCENES + (opened ? opened.name : "box") + ".lua"],
     preRun: [prepare(files.later)],
@@ -251,6 +253,7 @@ const start = async () => {
       }
     },
     onState: copyLink,
+    onDescription: (facts) => $("canvas").setAttribute("aria-label", describe($("scenes").value.replace(/\.lua$/, ""), JSON.parse(facts))),
     onStateRead: (isRight) => isRight || showError(say("The link is damaged: its view is left out.")),
     onAbort: () => setMessage(say("The program has failed. Reload the page to start it again.")),
     onExit: () => setMessage(say("The program has ended. Reload the page to start it again.")),

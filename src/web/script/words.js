@@ -10,6 +10,12 @@ const FRENCH = {
   "command": "Commande",
   "text": "Le texte de la scène\u00a0: ce que vous changez est dessiné aussitôt",
   "The picture of the scene": "L’image de la scène",
+  "shapes: %s": "formes\u00a0: %s",
+  "mirrors: %d, glass: %d, lights: %d": "miroirs\u00a0: %d, verre\u00a0: %d, lumières\u00a0: %d",
+  "the camera is at %s and looks along %s": "la caméra est en %s et regarde selon %s",
+  "in its middle is: %s": "en son milieu\u00a0: %s",
+  "its middle is sky": "en son milieu, le ciel",
+  "it shows the layer %s": "elle montre la couche %s",
   "Loading …": "Chargement…",
   "The link is in the clipboard: it carries scene, view, layer and settings.":
     "Le lien est dans le presse-papiers\u00a0: il porte la scène, la vue, le calque et les réglages.",

@@ -11,6 +11,10 @@
 /** What the window waits for. */
 static const char event_tag;
 
+void waits_yield(void) {
+    fibers_yield();
+}
+
 void waits_sleep(double until) {
     fibers_wait(&event_tag, until);
 }

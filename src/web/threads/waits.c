@@ -25,6 +25,10 @@ static unsigned seen_count;
 /** When that was, on #clock_now_seconds. */
 static double seen_time;
 
+void waits_yield(void) {
+    emscripten_current_thread_process_queued_calls();
+}
+
 void waits_sleep(double until) {
     double now = clock_now_seconds();
     unsigned count = atomic_load(&wake_count);

@@ -28,9 +28,15 @@ HARDENED   = $(if $(SANITIZE)$(COVERAGE)$(filter -O0 -O1,$(OPTIMIZE)),,-fstack-p
 # instructions of scenes/glass-sphere.lua (f32x8, 96 x 72, 4 samples).
 UNPROTECTED := -fno-stack-protector
 LINK_HARDENED = -Wl,-z,relro,-z,now
-# COVERAGE=1: a build that counts which lines run.
-COUNTERS   = $(if $(COVERAGE),--coverage -fprofile-update=atomic)
+# COVERAGE=1: a build that counts which lines run. (No later option takes back --coverage.)
+COUNTERS   = $(if $(COVERAGE),-fprofile-arcs -ftest-coverage -fprofile-update=atomic)
 UNCOUNTED  = $(if $(COVERAGE),-fno-profile-arcs -fno-test-coverage -O3)
+# Counters are written by processes that do not return from main, too, and those of modules by their workers.
+COUNTERS_OBJECT = $(if $(COVERAGE),$(OBJ)/tests/coverage/counters.o)
+WRAP            = $(if $(COVERAGE),$(addprefix -Wl$(COMMA)--wrap=,$(1)))
+COUNTERS_LINK = $(call WRAP,send syscall setrlimit worker_exit_to_retry) $(if $(COVERAGE),-rdynamic)
+MODULE_COUNTERS = $(call WRAP,__gcov_init __gcov_exit)
+TEST_COUNTERS   = $(call WRAP,_exit worker_exit_to_retry)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-omit-frame-pointer -fno-sanitize-recover=all)
 # The check of virtual tables asks the system for pipes, which the filter of workers refuses.
 NO_VTABLES := $(if $(findstring undefined,$(SANITIZE)),-fno-sanitize=vptr)
@@ -96,30 +102,28 @@ LIBRARIES     = $(call PKG_LIBS,sdl2 lua5.4 cairo imgui) -ldl -lm -lstdc++ -pthr
 # The program that reads scenes, pictures and models: src/worker/main.c.
 WORKER         := $(BUILD)/dioptre-worker
 WORKER_SOURCES := $(wildcard src/worker/*.c) $(filter src/base/% src/scene/% src/script/% src/assets/%,$(ROOM_SOURCES))
-WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(if $(COVERAGE),$(OBJ)/tests/coverage/worker_counters.o)
-# A worker never returns from main: it writes its counters before it replies (tests/coverage).
-COVERAGE_WRAPS := $(addprefix -Wl$(COMMA)--wrap=,send worker_filter_install worker_sandbox_limit)
+WORKER_OBJECTS := $(WORKER_SOURCES:%.c=$(OBJ)/%.o) $(COUNTERS_OBJECT)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .PHONY: all
 all: $(PROGRAM) $(WORKER) $(MODULES) $(CATALOGUES)
 
-$(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie -o $@ $^ $(LIBRARIES)
+$(PROGRAM): $(CLI_OBJECTS) $(ROOM_OBJECTS) $(COUNTERS_OBJECT)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie $(COUNTERS_LINK) -o $@ $^ $(LIBRARIES)
 
 $(WORKER): $(WORKER_OBJECTS)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie $(if $(COVERAGE),$(COVERAGE_WRAPS)) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(LINK_HARDENED) -pie $(COUNTERS_LINK) -o $@ $^ $(call PKG_LIBS,lua5.4) -ldl -lm -pthread
 
 $(IMAGES_MODULE): src/assets/images/image_plugin.cpp src/assets/images/image_plugin.h $(FLAGS)
 	$(call NEED,OpenImageIO,libopenimageio-dev)
 	@mkdir -p $(@D)
-	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) $(LINK_HARDENED) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
+	$(call SAY,c++,$@)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(call PKG_CFLAGS,OpenImageIO) $(LINK_HARDENED) $(MODULE_COUNTERS) -shared -o $@ $< $(call PKG_LIBS,OpenImageIO)
 
 $(MESHES_MODULE): src/assets/meshes/mesh_plugin.c src/assets/meshes/mesh_plugin.h $(FLAGS)
 	$(call NEED,assimp,libassimp-dev)
 	@mkdir -p $(@D)
-	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) $(LINK_HARDENED) -shared -o $@ $< $(call PKG_LIBS,assimp)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) -fvisibility=hidden $(call PKG_CFLAGS,assimp) $(LINK_HARDENED) $(MODULE_COUNTERS) -shared -o $@ $< $(call PKG_LIBS,assimp)
 
 $(BUILD)/locale/%/LC_MESSAGES/dioptre.mo: src/po/%.po
 	@command -v msgfmt >/dev/null || { \
@@ -236,7 +240,7 @@ TSAN_BUILD  := BUILD=build/tsan OPTIMIZE='-O1 -g' SANITIZE=thread ENGINES='f32x8
 # What reads strangers' bytes, with clang's fuzzer; nothing of it is traced, so it has no engine.
 FUZZ_BUILD  := BUILD=build/fuzz CC=clang CXX=clang++ OPTIMIZE='-O1 -g' SANITIZE=fuzzer-no-link,address,undefined,float-cast-overflow ENGINES=
 # Counts which lines and branches run; those of the engines are not counted, which are as fast as ever.
-COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1 ENGINES='f32x8 f32x4 f32x1 f64x1 f128x1'
+COVERAGE_BUILD := BUILD=build/coverage OPTIMIZE='-O1 -g' COVERAGE=1
 .PHONY: asan tsan clang
 asan:
 	@$(MAKE) --no-print-directory $(ASAN_BUILD) all
@@ -252,14 +256,14 @@ clang:
 # --- tests ---------------------------------------------------------------------------------------
 # All rooms, once, for all test programs.
 ROOMS         := $(BUILD)/tests/librooms.so
-$(ROOMS): $(ROOM_OBJECTS)
+$(ROOMS): $(ROOM_OBJECTS) $(COUNTERS_OBJECT)
 	@mkdir -p $(@D)
-	$(call SAY,cc,$@)$(CC) $(CFLAGS) -shared -o $@ $^ $(LIBRARIES)
+	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(COUNTERS_LINK) -shared -o $@ $^ $(LIBRARIES)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
 $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
 	@ln -sfr $(WORKER) $(@D)
-	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests $(UNCOUNTED) $(TEST_COUNTERS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 
@@ -267,6 +271,7 @@ $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 .PHONY: coverage
 coverage: test-packages
 	@.ci/packages $(COVERAGE_PACKAGES)
+	@$(MAKE) --no-print-directory -j2 all clang
 	@$(MAKE) --no-print-directory -j2 $(COVERAGE_BUILD) all tests
 	@tests/coverage.sh
 

@@ -70,7 +70,7 @@ function table_of(what,  i, cell, other, best) {
     if (what == "acne") { acne(); return }
     measured(what == "speed" ? "speed" : what)
     if (what == "engines") {
-        heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un pas près | à plus, contre `f128x1`"))
+        heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un niveau près | à plus, contre `f128x1`"))
         for (i = 1; i <= rows[what]; i++) {
             split(row[what, i], cell, ",")
             print "| `" cell[1] "` | " cell[2] " | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " grouped(cell[7]) " | " grouped(cell[8]) " |"
@@ -82,7 +82,7 @@ function table_of(what,  i, cell, other, best) {
             print "| " name(cell[1]) " | " (cell[2] == "povray" ? "POV-Ray" : "Tachyon") " | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " times(cell[3], cell[4]) " | " times(cell[3], cell[5]) " |"
         }
     } else if (what == "pictures") {
-        heads(words("scene | pixels | off by more than a step from POV-Ray | of them on no edge", "scène | pixels | écartés de plus d’un pas de POV-Ray | dont sur aucune arête"))
+        heads(words("scene | pixels | off by more than a step from POV-Ray | of them on no edge", "scène | pixels | écartés de plus d’un niveau de POV-Ray | dont sur aucune arête"))
         for (i = 1; i <= rows[what]; i++) {
             split(row[what, i], cell, ",")
             print "| " name(cell[1]) " | " grouped(cell[2]) " | " grouped(cell[3]) " | " grouped(cell[4]) " |"
@@ -94,7 +94,7 @@ function table_of(what,  i, cell, other, best) {
             print "| " (cell[1] == "spot" ? "Spot" : name(cell[1])) " | `" cell[2] "` | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " number(cell[6]) " | " number(cell[7]) ", " number(cell[8]) " |"
         }
     } else if (what == "marching") {
-        heads(words("scene | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels off by more than a step", "scène | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels écartés de plus d’un pas"))
+        heads(words("scene | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels off by more than a step", "scène | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels écartés de plus d’un niveau"))
         for (i = 1; i <= rows[what]; i++) {
             split(row[what, i], cell, ",")
             print "| " name(cell[1]) " | " number(cell[2]) " | " number(cell[3]) " | " number(cell[4]) " | " number(100 * cell[6] / cell[5]) " % |"

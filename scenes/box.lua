@@ -58,4 +58,4 @@ quad {
 }
 
 -- en: A box of green walls with a mirroring ball and a mirroring cube.
--- fr: Une boîte aux murs verts, une boule et un cube qui font miroir.
+-- fr: Une boîte aux murs verts, une boule et un cube réfléchissants.

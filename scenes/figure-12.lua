@@ -27,4 +27,4 @@ cylinder {
 }
 
 -- en: A mesh of flat triangles.
--- fr: Un maillage de triangles plats.
+-- fr: Un maillage de triangles, avec une normale par facette.

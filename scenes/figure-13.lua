@@ -30,4 +30,4 @@ for i, normals in ipairs { "flat", "smooth" } do
 end
 
 -- en: The same mesh with flat and with interpolated normals.
--- fr: Le même maillage, aux normales constantes et interpolées.
+-- fr: Le même maillage, avec une normale par facette, ou interpolée.

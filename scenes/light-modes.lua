@@ -30,4 +30,4 @@ for i, paint in ipairs(modes) do
 end
 
 -- en: No light, light and ambient light, light alone.
--- fr: Sans lumière, lumière et lumière ambiante, lumière seule.
+-- fr: Sans lumière, avec lampe et lumière ambiante, avec la lampe seule.

@@ -54,4 +54,4 @@ for i = 1, 24 do
 end
 
 -- en: A pond at sunset: balls that float, half under water.
--- fr: Un étang au coucher du soleil : des boules flottent à moitié sous l'eau.
+-- fr: Un étang au coucher du soleil : des boules flottent à moitié sous l’eau.

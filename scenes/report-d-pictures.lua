@@ -31,4 +31,4 @@ cylinder {
 }
 
 -- en: Pictures on a rectangle, on the floor, on a sphere and in the sky.
--- fr: Des images sur un rectangle, au sol, sur une sphère et au ciel.
+-- fr: Des images sur un rectangle, sur le sol, sur une sphère et dans le ciel.

@@ -55,4 +55,4 @@ lump( 5, {0.88, 0.4, 3.28})
 lump(70, {1.75, 0.0, 3.90})
 
 -- en: The Utah teapot, the best known model of computer graphics.
--- fr: La théière de l'Utah, le modèle le plus connu de l'image de synthèse.
+-- fr: La théière de l’Utah, le modèle le plus connu de l’image de synthèse.

@@ -86,10 +86,25 @@ settled
 shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title says $(title)"
 xdotool key Escape
 expect_shown 'pass 1 px.*finished' 'Esc again: the light'
+# The list of scenes is opened and closed by its button, and closed by its own in the upper right corner.
+xdotool mousemove --window "$window" 400 500
+quiet
+settled
+cp "$work/a.ppm" "$work/picture.ppm"
+for close in '110 24' '740 150'; do
+    xdotool mousemove --window "$window" 110 24 click 1
+    sleep 0.5
+    differs picture list
+    # shellcheck disable=SC2086 # Two numbers.
+    xdotool mousemove --window "$window" $close click 1
+    sleep 0.5
+    xdotool mousemove --window "$window" 400 500
+    restored picture "a click at $close closes the list of scenes"
+done
 # The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.
 xdotool mousemove --window "$window" 520 24 mousedown 1 mousemove --window "$window" 560 24
 epsilon() { title | sed -n 's/.*epsilon \([0-9.e-]*\).*/\1/p'; }
-shown 'offset fixed, epsilon'
+expect_shown "offset fixed, epsilon .*the scene's own offset, bound, is off" 'what else the slider changes is told'
 settled
 held=$(epsilon)
 sleep 1

@@ -23,6 +23,14 @@ done
 msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
 grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*s'|« | »" "$work/french" >"$work/out"
 empty "$work/out" 'French signs have their no-break space'
+{ grep "'" "$work/french"; grep -nE "\\bfr = \"[^\"]*'|^-- fr: .*'" scenes/*.lua scenes/lessons/*.lua; } >"$work/out"
+empty "$work/out" "French apostrophes are typographic: ’"
+for scene in scenes/*.lua scenes/lessons/*.lua; do
+    grep -q '^lesson {' "$scene" || for language in en fr; do
+        grep -q "^-- $language: " "$scene" || echo "$scene $language"
+    done
+done >"$work/out"
+empty "$work/out" 'scenes are described in both languages'
 
 # --- help --------------------------------------------------------------------------------------------
 for command in '' view render animate probe info compare bench needs chart lab; do
@@ -65,14 +73,14 @@ wrong() {
 }
 s=$(printf '\302\240')
 wrong 'camera {} sphere { raduis = 1 }' 'sphere has no field `raduis`; did you mean `radius`\?' \
-    "sphere n'a pas de champ \`raduis\`$s; vouliez-vous dire \`radius\`$s\\?"
+    "sphere n’a pas de champ \`raduis\`$s; vouliez-vous dire \`radius\`$s\\?"
 wrong 'camera {} sphere { radius = -0.5 }' 'radius must be at least 1e-15 and at most 1e\+15, not -0.5' \
-    "radius doit être d'au moins 1e-15 et d'au plus 1e\\+15, et non -0.5"
+    "radius doit être d’au moins 1e-15 et d’au plus 1e\\+15, et non -0.5"
 wrong 'camera {} sphere { radius = {} }' 'radius must be a number, not a table' \
     'radius doit être un nombre, et non une table'
 wrong 'camera {} light { falloff = "x" }' 'falloff must be `none`, `inverse_square` or `inverse_linear`, not `x`' \
     'falloff doit être `none`, `inverse_square` ou `inverse_linear`, et non `x`'
-wrong 'camera {} mesh { file = "x.doc" }' "x.doc: No such file in the scene's folder; .*" "x.doc: ce fichier n'est pas dans le dossier de la scène$s; .*"
+wrong 'camera {} mesh { file = "x.doc" }' "x.doc: No such file in the scene's folder; .*" "x.doc: ce fichier n’est pas dans le dossier de la scène$s; .*"
 expect 2 "attend un entier de 1 à 65536, et non «${s}0$s»" 'wrong usage' \
     in_french "$dioptre" render "$box" -o x.bmp --samples 0
 expect 2 '^dioptre: ' 'which is told by the program' in_french "$dioptre" render "$box"

@@ -77,6 +77,15 @@ grep -q mirrored "$work/out" && fail 'depth 0 mirrors nothing' || ok 'depth 0 mi
 expect 0 '' 'samples' "$dioptre" probe scenes/still-life.lua 100 100 --samples 16 -s $size
 holds "$work/out" 'first sample of 16' 'the first of several samples says so'
 
+# Glass: the part that is mirrored follows from the angle and the indices that are printed, by Fresnel's formulas.
+expect 0 '' 'probe of glass' "$dioptre" probe scenes/glass-sphere.lua 48 36 -s 96x72 --engine f64x1
+holds "$work/out" '^  index +1 before it, 1.5 behind it$' 'the indices of glass, from outside'
+holds "$work/out" '^    index +1\.5 before it, 1 behind it$' 'and from inside'
+awk '/angle/ && !a { a = $2 * atan2(0, -1) / 180 } /Fresnel/ && !r { r = $2 }
+    END { c = cos(a); t = sqrt(1 - (sin(a) / 1.5) ^ 2); s = (c - 1.5 * t) / (c + 1.5 * t); p = (1.5 * c - t) / (1.5 * c + t)
+        d = r - (s * s + p * p) / 2; exit !(r > 0 && d < 2e-6 && d > -2e-6) }' "$work/out" && ok 'Fresnel' ||
+    fail "Fresnel: $(grep -m 1 Fresnel "$work/out")"
+
 # Report A: the ray of the first of 4 x 3 pixels, through the centre and, without the half pixel, through the corner.
 printf 'camera { fov = 90 }\nplane { point = {0, 0, -1}, normal = {0, 0, 1} }\n' >"$work/corner.lua"
 expect 0 '' 'the centre' "$dioptre" probe "$work/corner.lua" 0 0 -s 4x3 --pixel center
@@ -116,7 +125,7 @@ holds "$work/out" '^  = ray 4 ' 'its sum'
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 0 >"$work/out"
 # Fresnel's formula again, from the angle that is told.
 awk '/cos a = /{ sub(/.*cos a = −d·n = /, ""); sub(/,.*/, ""); c = $0 }
-    /Fresnel/{ told = $8; s = sqrt(1 - c * c) / 1.5; t = sqrt(1 - s * s)
+    /Fresnel/{ told = $10; s = sqrt(1 - c * c) / 1.5; t = sqrt(1 - s * s)
         a = (c - 1.5 * t) / (c + 1.5 * t); b = (1.5 * c - t) / (1.5 * c + t); r = (a * a + b * b) / 2
         off = told > r ? told - r : r - told; print off < 2e-4 ? "as computed" : "off by " off " from " r }' \
     "$work/out" >"$work/fresnel"

@@ -37,7 +37,7 @@ xdotool key f && settled
 xdotool key Home Return
 expect_shown '^figure-08 — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
 xdotool key l
-expect_shown "bad.lua:1: sphere n.a pas de champ" 'and told again in the other language'
+expect_shown "bad.lua:1: sphere n’a pas de champ" 'and told again in the other language'
 xdotool key l
 expect_shown 'bad.lua:1: sphere has no field' 'and in the first'
 xdotool key f && settled

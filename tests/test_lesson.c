@@ -7,10 +7,12 @@
 
 #include "base/lesson_file.h"
 #include "dioptre/lesson.h"
+#include "dioptre/scene_override.h"
+#include "dioptre/script.h"
+#include "dioptre/view.h"
 #include "view/commands/commands.h"
 #include "view/commands/recorder.h"
 #include "view/lesson/action_names.h"
-#include "view/lesson/answer_file.h"
 #include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 
@@ -195,40 +197,6 @@ static void test_lesson_files(void **state) {
     assert_false(lesson_file_next("scenes/lessons/09-costs.lua", next));
 }
 
-/** Answers are lines of CSV below one head; a folder is no file. */
-static void test_answers(void **state) {
-    Error error = {0};
-    char line[256];
-    const char *path = fixture_path(state, "answers.csv");
-    const AnswerRecord record = {.lesson = "a \"b\", c", .question = 2, .answer = 3};
-    assert_true(answer_file_prepare(path, &error) && answer_file_prepare(path, &error));
-    assert_true(answer_file_append(path, &record, &error));
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    assert_non_null(fgets(line, sizeof line, file));
-    assert_string_equal(line, "time,lesson,question,choice,right\n");
-    assert_non_null(fgets(line, sizeof line, file));
-    assert_non_null(strchr(line, 'T'));
-    assert_string_equal(strchr(line, ','), ",\"a \"\"b\"\", c\",2,3,0\n");
-    assert_null(fgets(line, sizeof line, file));
-    fclose(file);
-    // A spreadsheet would compute the name.
-    const AnswerRecord formula = {.lesson = "=HYPERLINK(1)", .question = 1, .answer = 1};
-    assert_true(answer_file_append(path, &formula, &error));
-    file = fopen(path, "r");
-    assert_non_null(file);
-    for (int i = 0; i < 3; i++) {
-        assert_non_null(fgets(line, sizeof line, file));
-    }
-    assert_string_equal(strchr(line, ','), ",\"'=HYPERLINK(1)\",1,1,0\n");
-    fclose(file);
-    assert_false(answer_file_prepare("/", &error));
-    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /: "));
-    if (access("/dev/full", W_OK) == 0) {
-        assert_false(answer_file_append("/dev/full", &record, &error));
-    }
-}
-
 /** Recorded text is Lua. */
 static void test_text(void **state) {
     (void)state;
@@ -243,6 +211,62 @@ static void test_text(void **state) {
     assert_string_equal(text, "wait(3599.999)\nwait(3600)\nwait(0.017)\n");
     assert_string_equal(step, "caption { en = \"a \\\"b\\\" \\\\ \\0101\", wait = true }");
     free(text);
+}
+
+/** Words of what is done to the window, to rays and to objects, with all that they say. */
+static void test_steps(void **state) {
+    static const char text[] = "lesson { scene = \"box.lua\" }\n"
+                               "size(320, 240.5)\n"
+                               "pixel(0.25, 0.75)\n"
+                               "ray(2)\n"
+                               "move(\"sphere\", 3, 0.5, -1, 2)\n"
+                               "move(\"sphere\", 3, 0.5, -1, 2, true)\n"
+                               "set(\"sphere\", 3, \"radius\", 1.5)\n";
+    static const char *const wrong[][2] = {
+        {"size(320)", "size(WIDTH, HEIGHT)"},
+        {"size(0, 10)", "size must be at least 1"},
+        {"ray(-1)", "ray must be at least 0"},
+        {"move(\"spher\", 1, 0, 0, 0)", "there is no object `spher`; did you mean `sphere`?"},
+        {"set(\"sphere\", 1, \"radus\", 1)",
+         "sphere has no field `radus`; did you mean `radius`?"}};
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    Error error = {0};
+    write_file(fixture_path(state, "box.lua"), "camera {}\n", strlen("camera {}\n"));
+    const char *path = fixture_path(state, "steps.lua");
+    write_file(path, text, strlen(text));
+    Lesson *lesson = script_load_lesson(path, &actions, &error);
+    if (!lesson) {
+        fail_msg("%s", error.message);
+    }
+    assert_int_equal(lesson->count, 6);
+    const LessonStep *steps = lesson->steps;
+    assert_int_equal(steps[0].kind, LESSON_SIZE);
+    assert_true(steps[0].x == 320 && steps[0].y == 240);
+    assert_int_equal(steps[1].kind, LESSON_PIXEL);
+    assert_true(steps[1].x == 0.25 && steps[1].y == 0.75);
+    assert_int_equal(steps[2].kind, LESSON_RAY);
+    assert_int_equal(steps[2].action, 2);
+    for (int i = 3; i < 5; i++) {
+        assert_int_equal(steps[i].kind, LESSON_MOVE);
+        assert_int_equal(steps[i].action, 3);
+        assert_int_equal(steps[i].keyword, scene_object_keyword_find("sphere"));
+        assert_true(steps[i].x == 0.5 && steps[i].y == -1 && steps[i].z == 2);
+        assert_int_equal(steps[i].continues, i == 4);
+    }
+    assert_int_equal(steps[5].kind, LESSON_SET);
+    assert_int_equal(steps[5].row, scene_object_row_find(steps[5].keyword, "radius"));
+    assert_true(steps[5].x == 1.5);
+    lesson_destroy(lesson);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "lesson { scene = \"box.lua\" }\n%s\n", wrong[i][0]);
+        write_file(path, line, strlen(line));
+        assert_null(script_load_lesson(path, &actions, &error));
+        if (!strstr(error.message, wrong[i][1]) || !strstr(error.message, "steps.lua:2")) {
+            fail_msg("%s: '%s'", wrong[i][0], error.message);
+        }
+    }
 }
 
 /** The scene of a recorded lesson is named as seen from its folder. */
@@ -272,8 +296,8 @@ int main(void) {
         cmocka_unit_test(test_full),
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_questions),
+        cmocka_unit_test_setup_teardown(test_steps, fixture_set_up, fixture_tear_down),
         cmocka_unit_test(test_relative_paths),
-        cmocka_unit_test(test_lesson_files),
-        cmocka_unit_test_setup_teardown(test_answers, fixture_set_up, fixture_tear_down)};
+        cmocka_unit_test(test_lesson_files)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,6 +56,27 @@ static Scene *load_nothing(void *context, const char *path, const atomic_bool *s
     return NULL;
 }
 
+/** @return Number of scenes and lessons that are found with some words. */
+static size_t found_with(Browser *browser, const char *words) {
+    BrowserOrder order;
+    SDL_strlcpy(browser->filter, words, sizeof browser->filter);
+    browser_order(browser, &order);
+    return order.count;
+}
+
+/** Words are found as they are read on a thumbnail: with spaces, without accents, in any case. */
+static void check_search(Browser *browser) {
+    assert_true(found_with(browser, "glass sphere") > 0);
+    assert_int_equal(found_with(browser, "glass sphere"), found_with(browser, "glass-sphere"));
+    assert_int_equal(found_with(browser, "Glass_Sphere"), found_with(browser, "glass-sphere"));
+    assert_int_equal(found_with(browser, "boite"), found_with(browser, "boîte"));
+    assert_int_equal(found_with(browser, "EPEE"), found_with(browser, "Épée"));
+    assert_int_equal(found_with(browser, "glass  sphere"), 0);
+    if (language_is_french()) {
+        assert_true(found_with(browser, "verite") + found_with(browser, "lumiere") > 0);
+    }
+}
+
 /** Checks the list of scenes. */
 static void check_list(Fixture *fixture) {
     static const ViewSettings settings = {.preview = load_nothing};
@@ -73,6 +94,7 @@ static void check_list(Fixture *fixture) {
     check_frame(fixture, "list", 6);
     browser_type(browser, "GLA");
     check_frame(fixture, "list with words", 3);
+    check_search(browser);
     browser_close(browser);
 }
 

@@ -130,6 +130,21 @@ static void check_snell(const RayFormulas *formulas, const RayTreeNode *ray,
     assert_near(sine, n1 * sin(a * (M_PI / 180)), n2, "Snell's product");
 }
 
+/** Checks that the shares in percent and the chain to the weights are those of the rays that
+ * follow: what is not mirrored, refracted or its own is nothing. */
+static void check_shares(const RayFormulas *formulas, const RayTreeSurface *surface) {
+    double mirrored, refracted, own = 0;
+    const char *text = formula_of(formulas, "result");
+    assert_non_null(text);
+    assert_true(sscanf(text, "%lf %% are mirrored, %lf %% refracted, %lf", &mirrored, &refracted,
+                       &own) >= 2);
+    assert_at_most(fabs(mirrored + refracted + own - 100), 0.3, "all shares");
+    Vec3d weight = result_of(formula_of(formulas, "mirrored"));
+    assert_near(weight.y, surface->reflect_weight.green, 1, "weight of the mirrored ray");
+    weight = result_of(formula_of(formulas, "refracted"));
+    assert_near(weight.y, surface->refract_weight.green, 1, "weight of the refracted ray");
+}
+
 /** Checks Fresnel's share by his own form, with sines and tangents of sums of the angles. */
 static void check_fresnel(const RayFormulas *formulas, const RayTreeNode *ray) {
     const RayTreeSurface *surface = &ray->surface;
@@ -145,14 +160,16 @@ static void check_fresnel(const RayFormulas *formulas, const RayTreeNode *ray) {
         assert_non_null(strstr(text, "all is mirrored"));
         return;
     }
-    assert_int_equal(sscanf(text, "(Rs² + Rp²) / 2 = %lf is mirrored, %lf", &mirrored, &rest), 2);
+    assert_int_equal(
+        sscanf(text, "R = (r_s² + r_p²) / 2 = %lf is mirrored, 1 − R = %lf", &mirrored, &rest), 2);
     if (a > 0.01 && surface->ior_from != surface->ior_to) {
         double across = sin(a - b) / sin(a + b), along = tan(a - b) / tan(a + b);
         assert_near(mirrored, (across * across + along * along) / 2, 1, "Fresnel");
-        assert_near(fabs(result_of(formula_of(formulas, "Rs")).x), fabs(across), 1, "Rs");
-        assert_near(fabs(result_of(formula_of(formulas, "Rp")).x), fabs(along), 1, "Rp");
+        assert_near(fabs(result_of(formula_of(formulas, "r_s")).x), fabs(across), 1, "r_s");
+        assert_near(fabs(result_of(formula_of(formulas, "r_p")).x), fabs(along), 1, "r_p");
     }
     assert_near(mirrored + rest, 1, 1, "both shares");
+    check_shares(formulas, surface);
 }
 
 /** Checks the law of reflection: equal angles, in one plane. */

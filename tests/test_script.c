@@ -314,6 +314,37 @@ static void test_wrong_values(void **state) {
     assert_all_refused(state, cases, COUNT(cases));
 }
 
+/** A camera looks where it is told: at a point, along a direction, or by two angles. */
+static void test_cameras(void **state) {
+    const double half = sqrt(0.5);
+    static const InvalidScene wrong[] = {
+        {"camera { pan = 1, direction = {0, 0, 1} }", 1, "only one of look_at, direction, and pan"},
+        {"camera { position = {1, 2, 3}, look_at = {1, 2, 3} }", 1, "its own position"}};
+    const struct {
+        const char *text; /**< Of the scene. */
+        Vec3d direction;  /**< Where it looks. */
+        Vec3d up;         /**< Its up. */
+    } cameras[] = {
+        {"camera { pan = 90 }", {1, 0, 0}, {0, 1, 0}},
+        {"camera { tilt = 45 }", {0, half, -half}, {0, half, half}},
+        {"camera { pan = 180, tilt = -45 }", {0, -half, half}, {0, half, half}},
+        // Straight down, north is the top of the picture, and straight up it is at the bottom.
+        {"camera { tilt = -90 }", {0, -1, 0}, {0, 0, -1}},
+        {"camera { direction = {0, 1, 0} }", {0, 1, 0}, {0, 0, 1}},
+        {"camera { direction = {1, 0, 0}, up = {2, 0, 0} }", {1, 0, 0}, {0, 0, 1}},
+        {"camera { direction = {0, 0, 1}, up = {0, 0, 1} }", {0, 0, 1}, {1, 0, 0}}};
+    for (size_t i = 0; i < COUNT(cameras); i++) {
+        Scene *scene = load_valid_scene(*state, cameras[i].text);
+        Vec3d direction = vec3d_subtract(scene->camera.direction, cameras[i].direction);
+        Vec3d up = vec3d_subtract(scene->camera.up, cameras[i].up);
+        assert_at_most(vec3d_max_abs(direction), 1e-15, "%s: direction", cameras[i].text);
+        assert_at_most(vec3d_max_abs(up), 1e-15, "%s: up %g %g %g", cameras[i].text,
+                       scene->camera.up.x, scene->camera.up.y, scene->camera.up.z);
+        scene_destroy(scene);
+    }
+    assert_all_refused(state, wrong, COUNT(wrong));
+}
+
 /** Errors of Lua are reported at the innermost line of the scene file. */
 static void test_lua_errors(void **state) {
     static const InvalidScene cases[] = {
@@ -432,6 +463,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_keywords),
+        cmocka_unit_test(test_cameras),
         cmocka_unit_test(test_overrides),
         cmocka_unit_test(test_wrong_overrides),
         cmocka_unit_test(test_field_types),

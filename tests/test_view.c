@@ -18,6 +18,7 @@
 #include "view/panels/magnifier.h"
 #include "view/panels/pixel_readout.h"
 #include "view/panels/toolbar.h"
+#include "view/panels/tooltip.h"
 #include "view/state/edit_history.h"
 #include "view/state/scene_text.h"
 #include "view/state/settings_chart.h"
@@ -333,6 +334,34 @@ static void test_toolbar_commands(void **state) {
         assert_non_null(command);
         assert_int_equal(command->argument, layer);
     }
+}
+
+/** Each button says what it does, in a sentence that no other has, and names its keys as on the
+ *  keyboard in use. */
+static void test_tooltips(void **state) {
+    (void)state;
+    const Help help = {.commands = command_table};
+    char text[TOOLTIP_SIZE], other[TOOLTIP_SIZE];
+    size_t count = 0;
+    for (const Command *a = command_table; command_is_row(a); a++) {
+        const char *sentence = a->name ? tooltip_sentence(a->name) : NULL;
+        count += sentence != NULL;
+        for (const Command *b = command_table; sentence && b < a; b++) {
+            const char *earlier = b->name ? tooltip_sentence(b->name) : NULL;
+            assert_false(earlier && strcmp(earlier, sentence) == 0);
+        }
+    }
+    assert_int_equal(count, 30);
+    assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl Z");
+    assert_string_equal(tooltip_write(&help, "magnifier", text),
+                        "the pixels under the mouse as large squares — F4");
+    assert_non_null(
+        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift B"));
+    assert_string_equal(tooltip_write(&help, "shadow rays", text),
+                        "show or hide the rays to the lamps — Shift 2");
+    assert_string_not_equal(tooltip_write(&help, "chart", text),
+                            tooltip_write(&help, "settings", other));
+    assert_string_equal(tooltip_write(&help, "light up", text), "");
 }
 
 /** A mark that is dragged stays under the mouse, or goes along the direction of view; what lies
@@ -1338,6 +1367,7 @@ int main(void) {
         cmocka_unit_test(test_keyboard_labels),
         cmocka_unit_test(test_command_table),
         cmocka_unit_test(test_toolbar_commands),
+        cmocka_unit_test(test_tooltips),
         cmocka_unit_test(test_light_drag),
         cmocka_unit_test(test_parts),
         cmocka_unit_test(test_settings_override),

@@ -6,18 +6,10 @@
 #define FIXTURE_SCENE "scenes/glass-sphere.lua"
 #include "window_texts.h"
 
+#include "fontconfig_leak.h"
+
 #include "dioptre/script.h"
 #include "dioptre/view.h"
-
-#ifdef __SANITIZE_ADDRESS__
-/** Leaks that are not ours: libfontconfig's cache hides its pointers (tests/screen.sh). See the leak
- *  sanitizer. @return Them. */
-const char *__lsan_default_suppressions(void);
-
-const char *__lsan_default_suppressions(void) {
-    return "leak:libfontconfig\n";
-}
-#endif
 
 /** Seconds that the first picture may take. */
 static const double PICTURE_SECONDS = 60;
@@ -49,6 +41,36 @@ static void wait_for_picture(Fixture *fixture) {
     assert_int_equal(viewport->texture.width, picture.w);
 }
 
+/** @return A text of the last frame that begins with some words; NULL: there is none. */
+static const GuiText *find_text(const Fixture *fixture, const char *words) {
+    const GuiText *texts;
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    for (size_t i = 0; i < count; i++) {
+        if (strncmp(texts[i].text, words, strlen(words)) == 0) {
+            return &texts[i];
+        }
+    }
+    return NULL;
+}
+
+/** Checks that the formulas of a chosen ray are seen from their heading on, below a row of buttons
+ *  that stays where it was. */
+static void check_chosen(const Fixture *fixture, size_t ray) {
+    static GuiRect first;
+    char heading[64];
+    snprintf(heading, sizeof heading, gettext("Ray %zu: %s"), ray, "");
+    const GuiText *title = find_text(fixture, heading),
+                  *button = find_text(fixture, gettext("next ray"));
+    assert_non_null(title);
+    assert_non_null(button);
+    assert_true(title->rect.y + ROUNDING >= title->clip.y);
+    if (ray == 0) {
+        first = button->rect;
+    }
+    assert_true(button->rect.x == first.x && button->rect.y == first.y);
+    assert_true(button->rect.y + button->rect.height <= title->rect.y);
+}
+
 /** Checks the view of rays: each drawing beside it, some rays of it. */
 static void check_rays(Fixture *fixture) {
     static const char *const panes[] = {"rays", "rays and plan", "rays and march",
@@ -63,6 +85,7 @@ static void check_rays(Fixture *fixture) {
             update(fixture);
             assert_true(rays->ray_tree.count > 4);
             check_frame(fixture, panes[pane], 8);
+            check_chosen(fixture, ray);
         }
     }
     ray_view_reset(rays);
@@ -95,6 +118,13 @@ static void check_lesson_panel(Fixture *fixture) {
     panel.is_finished = panel.has_next = true;
     window_set_lesson_panel(&fixture->window, &panel);
     check_frame(fixture, "end card", 5);
+    for (size_t i = 0; i < lesson->question_count; i++) {
+        const char *question =
+            lesson_text_localized(&lesson->questions[i].text, language_is_french());
+        char words[GUI_RECORD_SIZE];
+        SDL_strlcpy(words, question, sizeof words);
+        assert_non_null(find_text(fixture, words)); // Each is told, with its answer.
+    }
     window_set_lesson_panel(&fixture->window, &(LessonPanel){0});
     lesson_destroy(lesson);
 }

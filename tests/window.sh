@@ -163,7 +163,7 @@ xdotool key ctrl+shift+Down
 changed rays walked 'Ctrl and arrows walk to another pixel'
 hold 0.3 Right
 changed walked turned 'arrows go around the rays'
-xdotool mousemove --window "$window" 200 300 mousedown 1 mousemove_relative 60 20 mouseup 1
+xdotool mousemove --window "$window" 200 450 mousedown 1 mousemove_relative 60 20 mouseup 1
 changed turned dragged 'so does the mouse'
 shoot
 [ "${view%%  -- *}" = "${before%%  -- *}" ] && ok 'and the camera stays' || fail "the camera moved: $view"
@@ -586,7 +586,7 @@ differ help-french-us help-french-fr 'with the keys of AZERTY'
 differ help-french-us help-french-ch 'with the keys of Swiss QWERTZ'
 setxkbmap us && sleep 0.3
 xdotool key Tab
-expect_shown "terminé — il n'y a qu'une lumière$" 'notes are French'
+expect_shown "terminé — il n’y a qu’une lampe$" 'notes are French'
 xdotool key F1 && differs quiet open
 xdotool key l
 expect_shown 'pass 1 px, 1 sample, .*finished — messages are in English$' 'l speaks English'
@@ -606,7 +606,7 @@ sed 's/^sphere {/sphere { radios = 2,/' "$box" >"$work/next.lua"
 cp "$box" "$work/edited.lua"
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$work/edited.lua" --samples 1
 mv "$work/next.lua" "$work/edited.lua"
-expect_shown "edited.lua:[0-9]+: sphere n'a pas de champ .radios." 'a mistake is told in French'
+expect_shown "edited.lua:[0-9]+: sphere n’a pas de champ .radios." 'a mistake is told in French'
 screen faulty
 xdotool key l
 expect_shown 'edited.lua:[0-9]+: sphere has no field .radios.; did you mean .radius.' 'and in English after l'

@@ -3,13 +3,13 @@
 
 lesson {
   scene = "../box.lua",
-  title = { en = "The rays of one pixel", fr = "Les rayons d'un pixel" },
+  title = { en = "The rays of one pixel", fr = "Les rayons d’un pixel" },
   size = {800, 600}, samples = 4,
   learnt = {
     { en = "The rays start at the eye, against the way of the light.",
-      fr = "Les rayons partent de l'œil, à contresens de la lumière." },
+      fr = "Les rayons partent de l’œil, en sens inverse de la lumière." },
     { en = "Where a ray meets something, a shadow ray asks for each lamp: does its light come here?",
-      fr = "Là où un rayon touche quelque chose, un rayon d'ombre demande pour chaque lampe : sa lumière arrive-t-elle ici ?" },
+      fr = "Là où un rayon rencontre un objet, un rayon d’ombre vérifie, pour chaque lampe, si sa lumière arrive ici." },
     { en = "A surface that mirrors sends one more ray on its way.",
       fr = "Une surface réfléchissante fait partir un rayon de plus." },
   },
@@ -17,56 +17,57 @@ lesson {
 
 local first = {
   en = "To find the colour of a pixel: where does the program start its first ray?",
-  fr = "Pour trouver la couleur d'un pixel : d'où le programme fait-il partir son premier rayon ?",
+  fr = "Pour trouver la couleur d’un pixel : d’où le programme fait-il partir son premier rayon ?",
   choices = {
     { en = "At the lamp", fr = "De la lampe" },
-    { en = "At the eye", fr = "De l'œil" },
-    { en = "At the thing that we see", fr = "De la chose qu'on voit" },
+    { en = "At the eye", fr = "De l’œil" },
+    { en = "At the thing that we see", fr = "De l’objet que l’on voit" },
   },
   right = 2,
   because = {
     en = "Of the lamp's light hardly any meets the eye. From the eye, each ray counts.",
-    fr = "De la lumière de la lampe, presque rien n'arrive à l'œil. En partant de l'œil, chaque rayon compte." },
+    fr = "Presque rien de la lumière de la lampe n’arrive à l’œil. En partant de l’œil, chaque rayon est utile." },
 }
 
 caption { wait = true,
   en = "800 times 600 pixels, and a colour for each. Let us take one of them: on the floor, in front.",
-  fr = "800 fois 600 pixels, et une couleur pour chacun. Prenons-en un seul : sur le sol, devant." }
+  fr = "800 × 600 pixels, et une couleur pour chacun. Prenons-en un seul : sur le sol, devant." }
 ask(first)
 pixel(0.4125, 0.9833)
 wait(0.5)
 caption { wait = true,
   en = "A second camera shows the box from beside. The ray from the eye meets the floor.",
-  fr = "Une seconde caméra montre la boîte de côté. Le rayon venu de l'œil touche le sol." }
+  fr = "Une seconde caméra montre la boîte de côté. Le rayon venu de l’œil rencontre le sol." }
 press "rays"
 
 ask {
   en = "The floor is matt, and there is one lamp. How many rays does this pixel need in all?",
-  fr = "Le sol est mat, et il y a une lampe. Combien de rayons faut-il en tout pour ce pixel ?",
-  choices = { "1", "2", "3", { en = "As many as there are things", fr = "Autant que d'objets" } },
+  fr = "Le sol est mat, et il y a une seule lampe. Combien de rayons faut-il en tout pour ce pixel ?",
+  choices = { "1", "2", "3", { en = "As many as there are things", fr = "Autant que d’objets" } },
   right = 2,
   because = {
     en = "Two: one from the eye to the floor, and the shadow ray from the floor to the lamp.",
-    fr = "Deux : un de l'œil au sol, et le rayon d'ombre du sol à la lampe." },
+    fr = "Deux : un de l’œil au sol, et le rayon d’ombre, du sol à la lampe." },
 }
 press "rays"
 wait(0.5)
-caption { wait = true, en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
-          fr = "Maintenant un pixel de la boule rouge. Elle brille : elle réfléchit une partie de la lumière." }
+caption { en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
+          fr = "Maintenant, un pixel de la boule rouge. Elle est brillante : elle réfléchit une partie de la lumière." }
 press "rays"
+wait(4)
 
 ask {
   en = "The ray from the eye meets the red ball. Which rays start there?",
-  fr = "Le rayon venu de l'œil touche la boule rouge. Quels rayons partent de là ?",
+  fr = "Le rayon venu de l’œil rencontre la boule rouge. Quels rayons partent de là ?",
   choices = {
-    { en = "Only a shadow ray", fr = "Seulement un rayon d'ombre" },
+    { en = "Only a shadow ray", fr = "Seulement un rayon d’ombre" },
     { en = "Only a mirrored ray", fr = "Seulement un rayon réfléchi" },
     { en = "Both", fr = "Les deux" },
   },
   right = 3,
   because = {
     en = "Its colour is a sum: its own red in the lamp's light, and a share of what the mirrored ray finds.",
-    fr = "Sa couleur est une somme : son propre rouge sous la lampe, et une part de ce que trouve le rayon réfléchi." },
+    fr = "Sa couleur est une somme : son propre rouge, éclairé par la lampe, et une part de ce que trouve le rayon réfléchi." },
 }
 pixel(0.4375, 0.7667)
 wait(0.5)
@@ -75,7 +76,7 @@ wait(1)
 press "ray on"
 caption { wait = true,
   en = "The mirrored ray does as the first one did: it meets something, and asks for the lamp.",
-  fr = "Le rayon réfléchi fait comme le premier : il touche quelque chose, et cherche la lampe." }
+  fr = "Le rayon réfléchi fait comme le premier : il rencontre un objet, et vérifie si la lampe l’éclaire." }
 press "rays"
 
 ask {
@@ -89,7 +90,7 @@ ask {
   right = 3,
   because = {
     en = "Yellow is much, blue is little. Ball and cube mirror each other, so rays go to and fro between them.",
-    fr = "Jaune : beaucoup ; bleu : peu. La boule et le cube se reflètent l'un l'autre : les rayons vont et viennent entre eux." },
+    fr = "Jaune : beaucoup ; bleu : peu. La boule et le cube se reflètent l’un dans l’autre : les rayons vont et viennent entre eux." },
 }
 press "layer rays"
 wait(1)

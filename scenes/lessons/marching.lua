@@ -72,3 +72,6 @@ local function space()
 end
 
 if stage < spacial then drawing() else space() end
+
+-- en: How a ray advances step by step: first in the plane, then in space.
+-- fr: Comment un rayon avance pas à pas : d’abord dans le plan, puis dans l’espace.

@@ -17,6 +17,9 @@ enum { VECTOR_TEXT_SIZE = 56 };
 /** Relative difference below which a factor counts as 1 / d². */
 static const double SQUARE_TOLERANCE = 1e-3;
 
+/** Smallest share of the light that is told. */
+static const double SHARE_MINIMUM = 1e-6;
+
 /** A vector as text. */
 typedef struct VectorText {
     char text[VECTOR_TEXT_SIZE]; /**< Its coordinates. */
@@ -77,6 +80,12 @@ Vec3d ray_front_normal(const RayTreeNode *ray) {
     return vec3d_scale(ray->normal, ray->surface.is_inside ? -1 : 1);
 }
 
+bool ray_is_through_glass(const RayTreeNode *ray) {
+    Rgbd left = ray->transmittance;
+    return ray->kind == RAY_SHADOW && !ray->is_hit &&
+           (left.red < 1 || left.green < 1 || left.blue < 1);
+}
+
 double ray_refraction_cosine(const RayTreeSurface *surface) {
     double eta = surface->ior_from / surface->ior_to, cosine = fmin(1, surface->cosine);
     double squared = 1 - eta * eta * (1 - cosine) * (1 + cosine);
@@ -111,8 +120,8 @@ static void add_refraction(const RayTreeNode *ray, const RayTreeNode *parent,
     double a = ray_incidence_angle(parent);
     double b = degrees(-vec3d_dot(ray->direction, ray_front_normal(parent)));
     add(formulas, gettext("refraction"),
-        "n1 sin a = n2 sin b: %.4g × sin %.2f° = %.4g × sin %.2f° = %.4g", surface->ior_from, a,
-        surface->ior_to, b, surface->ior_from * sin(a * (M_PI / 180)));
+        gettext("n1 sin a = n2 sin b: %.4g × sin %.2f° = %.4g × sin %.2f° = %.4g"),
+        surface->ior_from, a, surface->ior_to, b, surface->ior_from * sin(a * (M_PI / 180)));
 }
 
 /** Adds what a ray counts for in the pixel. */
@@ -143,6 +152,48 @@ static void add_point(const RayTreeNode *ray, RayFormulas *formulas) {
     }
 }
 
+/** @return The largest channel of a colour. */
+static double largest_channel(Rgbd color) {
+    return fmax(color.red, fmax(color.green, color.blue));
+}
+
+/** Adds what a transparent surface does with the light, in percent: the result of what follows. */
+static void add_shares(const RayTreeSurface *surface, RayFormulas *formulas) {
+    double mirrored = largest_channel(surface->reflect_weight);
+    double refracted = surface->is_total ? 0 : largest_channel(surface->refract_weight);
+    double own = 1 - mirrored - refracted;
+    if (own > SHARE_MINIMUM) {
+        add(formulas, gettext("result"),
+            gettext("%.3g %% are mirrored, %.3g %% refracted, %.3g %% show its own colour"),
+            100 * mirrored, 100 * refracted, 100 * own);
+    } else {
+        add(formulas, gettext("result"), gettext("%.3g %% are mirrored, %.3g %% refracted"),
+            100 * mirrored, 100 * refracted);
+    }
+}
+
+/** Adds how Fresnel's shares and the transparency of the material make the weights of both rays. */
+static void add_weights(const RayTreeSurface *surface, RayFormulas *formulas) {
+    if (surface->fresnel >= 1) {
+        return; // Seen flat along it: nothing is refracted.
+    }
+    Rgbd through = scaled(surface->refract_weight, 1 / (1 - surface->fresnel));
+    Rgbd glass = scaled(through, surface->fresnel), all = surface->reflect_weight;
+    Rgbd mirror = {all.red - glass.red, all.green - glass.green, all.blue - glass.blue};
+    bool has_mirror = largest_channel(mirror) > SHARE_MINIMUM;
+    if (has_mirror) {
+        add(formulas, gettext("mirrored"),
+            gettext("reflectivity + transparency × R = %s + %s × %.4g = %s"),
+            color_text(mirror).text, color_text(through).text, surface->fresnel,
+            color_text(all).text);
+    } else {
+        add(formulas, gettext("mirrored"), gettext("transparency × R = %s × %.4g = %s"),
+            color_text(through).text, surface->fresnel, color_text(all).text);
+    }
+    add(formulas, gettext("refracted"), gettext("transparency × (1 − R) = %s × %.4g = %s"),
+        color_text(through).text, 1 - surface->fresnel, color_text(surface->refract_weight).text);
+}
+
 /** Adds Fresnel's shares. */
 static void add_fresnel(const RayTreeSurface *surface, RayFormulas *formulas) {
     double from = surface->ior_from, to = surface->ior_to, a = surface->cosine;
@@ -154,16 +205,22 @@ static void add_fresnel(const RayTreeSurface *surface, RayFormulas *formulas) {
     }
     double across = (from * a - to * b) / (from * a + to * b);
     double along = (to * a - from * b) / (to * a + from * b);
-    add(formulas, "Rs",
+    double sine = sqrt(fmax(0, 1 - a * a)), bent = from * sine / to;
+    add(formulas, gettext("angle b"),
+        "sin b = n1 sin a / n2 = %.4g × %.4g / %.4g = %.4g, cos b = %.4g, b = %.2f°", from, sine,
+        to, bent, b, degrees(b));
+    add(formulas, "r_s",
         "(n1 cos a − n2 cos b) / (n1 cos a + n2 cos b) = "
-        "(%.4g × %.4g − %.4g × %.4g) / (… + …) = %.4g",
-        from, a, to, b, across);
-    add(formulas, "Rp",
+        "(%.4g × %.4g − %.4g × %.4g) / (%.4g × %.4g + %.4g × %.4g) = %.4g",
+        from, a, to, b, from, a, to, b, across);
+    add(formulas, "r_p",
         "(n2 cos a − n1 cos b) / (n2 cos a + n1 cos b) = "
-        "(%.4g × %.4g − %.4g × %.4g) / (… + …) = %.4g",
-        to, a, from, b, along);
-    add(formulas, gettext("Fresnel"), gettext("(Rs² + Rp²) / 2 = %.4g is mirrored, %.4g goes on"),
-        surface->fresnel, 1 - surface->fresnel);
+        "(%.4g × %.4g − %.4g × %.4g) / (%.4g × %.4g + %.4g × %.4g) = %.4g",
+        to, a, from, b, to, a, from, b, along);
+    add(formulas, gettext("Fresnel"),
+        gettext("R = (r_s² + r_p²) / 2 = %.4g is mirrored, 1 − R = %.4g goes on"), surface->fresnel,
+        1 - surface->fresnel);
+    add_weights(surface, formulas);
 }
 
 /** Adds what a surface does. */
@@ -177,7 +234,8 @@ static void add_surface(const RayTreeNode *ray, RayFormulas *formulas) {
     } else if (surface->is_transparent) {
         add_fresnel(surface, formulas);
     }
-    add(formulas, gettext("offset"), gettext("%.3g = %.3g ulps: so far away the next rays start"),
+    add(formulas, gettext("offset"),
+        gettext("%.3g = %.3g ulps (from a number to the next): so far away the next rays start"),
         surface->epsilon, surface->ulps);
 }
 
@@ -239,6 +297,10 @@ static void add_shadow(const RayFormulaInput *input, const RayTreeNode *ray,
             gettext("0: nothing is left of the light behind glass"));
     } else {
         add_point(ray, formulas);
+        if (ray_is_through_glass(ray)) {
+            add(formulas, gettext("through glass"), gettext("%s of the light is left"),
+                color_text(ray->transmittance).text);
+        }
         if (input->is_own) {
             add_light(input, ray, parent, formulas);
         }
@@ -252,6 +314,9 @@ void ray_formulas_write(const RayFormulaInput *input, size_t index, RayFormulas 
     if (ray->kind == RAY_SHADOW) {
         add_shadow(input, ray, parent, formulas);
         return;
+    }
+    if (ray->shape >= 0 && ray->surface.is_transparent && !ray->surface.is_overridden) {
+        add_shares(&ray->surface, formulas);
     }
     if (parent) {
         add_begin(ray, parent, formulas);
@@ -281,9 +346,9 @@ static void add_own_terms(const RayFormulaInput *input, const RayTreeNode *ray, 
             add(sum, gettext("its own light"), "%s", color_text(surface->emission).text);
         }
         if (is_bright(ambient)) {
-            add(sum, gettext("light from everywhere"), "%s × %s = %s",
-                color_text(surface->albedo).text, color_text(surface->ambient).text,
-                color_text(ambient).text);
+            add(sum, gettext("light from everywhere"),
+                gettext("own colour × ambient = %s × %s = %s"), color_text(surface->albedo).text,
+                color_text(surface->ambient).text, color_text(ambient).text);
         }
     }
 }

@@ -11,6 +11,7 @@
 #include <libintl.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
@@ -29,14 +30,19 @@ void app_set_status(App *app, const char *format, ...) {
 }
 
 void app_sync_window(App *app) {
-    window_set_state(&app->window, &(WindowState){.scene = app->scene,
-                                                  .selected_light = app->selected_light,
-                                                  .is_animated = app_is_animated(app),
-                                                  .is_running = app->timeline.is_running,
-                                                  .is_recording = app_is_recording(app),
-                                                  .is_playing = app_is_playing(app),
-                                                  .edits = &app->edits,
-                                                  .is_light_moved = app->home_view.is_light_moved});
+    window_set_state(
+        &app->window,
+        &(WindowState){.scene = app->scene,
+                       .selected_light = app->selected_light,
+                       .is_animated = app_is_animated(app),
+                       .is_running = app->timeline.is_running,
+                       .is_recording = app_is_recording(app),
+                       .is_playing = app_is_playing(app),
+                       .can_undo = app->moves.done > 0 || edit_history_in_force(&app->edits) > 0,
+                       .can_redo =
+                           app->moves.done < app->moves.count || app->edits.done < app->edits.count,
+                       .edits = &app->edits,
+                       .is_light_moved = app->home_view.is_light_moved});
 }
 
 void app_clear_status(App *app) {
@@ -249,6 +255,15 @@ static void write_settings_text(App *app, char *text, size_t size) {
              settings->trace.epsilon, settings->trace.depth, settings->samples);
 }
 
+/** Says where a file was saved: its name, then its folder. */
+static void show_saved_path(App *app, const char *path) {
+    const char *slash = strrchr(path, '/');
+    char folder[NUMBERED_FILE_PATH_SIZE], full[PATH_MAX];
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
+    app_set_status(app, "saved %s in %s", slash ? slash + 1 : path,
+                   realpath(folder, full) ? full : folder);
+}
+
 bool app_save_screen(App *app, Error *error) {
     Picture picture = {0};
     char path[NUMBERED_FILE_PATH_SIZE], settings[STATUS_TEXT_SIZE];
@@ -268,7 +283,7 @@ bool app_save_screen(App *app, Error *error) {
         sanitize_print_line(path, stdout);
         putchar('\n');
         fflush(stdout);
-        app_set_status(app, "saved %s", path);
+        show_saved_path(app, path);
     }
     return is_saved;
 }
@@ -288,7 +303,7 @@ bool app_save_picture(App *app, const char *folder, const char *name, Error *err
         sanitize_print_line(path, stdout);
         putchar('\n');
         fflush(stdout);
-        app_set_status(app, "saved %s", path);
+        show_saved_path(app, path);
     }
     return is_saved;
 }

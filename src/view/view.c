@@ -70,10 +70,23 @@ static void run_command(App *app, const char *name, int repetitions) {
     }
 }
 
+/** Closes the list of scenes if its own button asks for it, or if what another button does would be
+ *  hidden by it. @param command Name of the command of that button; NULL: none. */
+static void close_covering_list(App *app, const char *command) {
+    Browser *browser = &app->window.browser;
+    bool is_covering = command && strcmp(command, "scenes") != 0 && strcmp(command, "toolbar") != 0;
+    if (browser->is_open && (browser->is_close_requested || is_covering)) {
+        browser_close(browser);
+        window_present(&app->window);
+    }
+    browser->is_close_requested = false;
+}
+
 /** Runs the command that a button, a list or a slider requests. */
 static void run_requested_command(App *app) {
     Toolbar *toolbar = &app->window.toolbar;
     RayViewRequest *rays = &app->window.ray_view.request;
+    close_covering_list(app, toolbar->command);
     run_command(app, toolbar->command, toolbar->repetitions);
     run_command(app, rays->command, 1);
     if (rays->has_ray && !app_is_playing(app)) {

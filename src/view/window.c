@@ -109,6 +109,10 @@ void window_request_new_renderers(Window *window) {
     }
 }
 
+bool window_has_overrides(const Window *window) {
+    return window->viewports[active_index(window)].overrides.mask != 0;
+}
+
 void window_reset_overrides(Window *window) {
     update_text_now(window);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
@@ -229,6 +233,7 @@ void window_on_visibility(Window *window) {
 
 bool window_on_resize(Window *window) {
     window_fold_large_toolbar(window);
+    window->browser.scrolls = true; // What is selected stays in sight.
     window->fitted_height = window_used_height(window);
     SDL_Rect picture = window_picture_rect(window);
     bool is_other =

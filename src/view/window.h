@@ -36,6 +36,8 @@ typedef struct WindowState {
     bool is_running;            /**< Whether its time runs. */
     bool is_recording;          /**< Whether a lesson is recorded. */
     bool is_playing;            /**< Whether a lesson plays. */
+    bool can_undo;              /**< Whether a change can be taken back. */
+    bool can_redo;              /**< Whether one can be done again. */
     const EditHistory *edits;   /**< What the user has changed of its objects. */
     const bool *is_light_moved; /**< Which lights the user has moved. */
 } WindowState;
@@ -120,6 +122,9 @@ void window_override_setting(Window *window, SettingsChangeFn *change, int step)
 
 /** Has all renderers replaced at the next #window_update_renderers. */
 void window_request_new_renderers(Window *window);
+
+/** @return Whether the user has changed any setting. */
+bool window_has_overrides(const Window *window);
 
 /** Takes back all changes of settings, layers and the split view. */
 void window_reset_overrides(Window *window);

@@ -23,7 +23,7 @@ static const double PANEL_WIDTH_MINIMUM = 12;
 /** Largest width of the lesson panel beside the picture, in heights of letters. */
 static const double PANEL_WIDTH_MAXIMUM = 20;
 /** Height of the lesson panel below the picture, in heights of letters. */
-static const double PANEL_HEIGHT = 8.5;
+static const double PANEL_HEIGHT = 10;
 
 /* --- where the picture is --------------------------------------------------------------------- */
 

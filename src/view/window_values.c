@@ -191,8 +191,8 @@ void window_show_readout(const Window *window) {
     PixelPosition pixel = window->magnifier.pixel;
     PixelReadout readout;
     char text[READOUT_SIZE];
-    bool is_on = window->magnifier.is_on ||
-                 (!window->toolbar.is_folded && pixel_under_mouse(window, &pixel.x, &pixel.y));
+    bool is_on = window->magnifier.is_on || (!window->toolbar.is_folded && !gui_has_mouse() &&
+                                             pixel_under_mouse(window, &pixel.x, &pixel.y));
     if (!is_on || !is_picture_shown(window) || window->hint.text[0] != '\0' ||
         !read_pixels(window, pixel.x, pixel.y, &readout)) {
         return;

@@ -25,7 +25,10 @@ static void show_toolbar(Window *window) {
                               .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
-                              .is_recording = state->is_recording};
+                              .is_recording = state->is_recording,
+                              .shows_scenes = window->browser.is_open,
+                              .can_undo = state->can_undo,
+                              .can_redo = state->can_redo};
     toolbar_show(&window->toolbar, &content);
 }
 
@@ -87,6 +90,8 @@ static void show_object_inspector(Window *window) {
                                             .is_light_moved =
                                                 is_light && state->is_light_moved[object.index],
                                             .is_read_only = state->is_playing,
+                                            .can_undo = state->can_undo,
+                                            .can_redo = state->can_redo,
                                             .top = window->toolbar.height};
     object_inspector_show(inspector, &content);
 }

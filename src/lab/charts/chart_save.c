@@ -31,9 +31,10 @@ static void row_numbers(const ChartPoint *point, double numbers[ROW_NUMBERS]) {
 
 /** Prints a table. */
 static void chart_print_table(const Chart *chart, const char *name, FILE *stream) {
-    static const char *const columns[] = {
-        N_("setting"), "",          N_("s/megapixel"), N_("from"),     N_("to"),   N_("own error"),
-        N_("steps"),   N_("flips"), N_("total"),       N_("rounding"), N_("front")};
+    static const char *const columns[] = {N_("setting"),   "",          N_("s/megapixel"),
+                                          N_("from"),      N_("to"),    N_("own error"),
+                                          N_("max steps"), N_("flips"), N_("total"),
+                                          N_("rounding"),  N_("front")};
     Table table = table_make(sizeof columns / sizeof *columns, 2);
     table_heading(&table, columns);
     for (size_t i = 0; i < chart->count; i++) {

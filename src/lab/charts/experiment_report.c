@@ -34,14 +34,14 @@ static const char *metric_label(const Metric *metric, const Experiment *experime
                                 TranslateFunction *translate, char heading[HEADING_SIZE]) {
     const char *name = translate(metric->heading);
     if (metric->kind == METRIC_ERROR) {
-        snprintf(heading, HEADING_SIZE, translate(N_("%s: %s")), translate(experiment->error_label),
-                 name);
+        snprintf(heading, HEADING_SIZE, "%s%s%s", translate(experiment->error_label),
+                 translate(N_(": ")), name);
     } else if (metric->kind == METRIC_ULPS) {
         snprintf(heading, HEADING_SIZE, translate(N_("%s, in ulps: %s")),
                  translate(experiment->error_label), name);
     } else if (metric->kind == METRIC_COST) {
-        snprintf(heading, HEADING_SIZE, translate(N_("%s: %s")), translate(experiment->cost_label),
-                 name);
+        snprintf(heading, HEADING_SIZE, "%s%s%s", translate(experiment->cost_label),
+                 translate(N_(": ")), name);
     } else {
         snprintf(heading, HEADING_SIZE, translate(N_("%s, %%")), name);
     }

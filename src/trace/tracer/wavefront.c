@@ -4,19 +4,13 @@
  */
 #include "trace/tracer/wavefront.h"
 
-#include "trace/tracer/path_nodes.h"
+#include "trace/tracer/ray_queue.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /** Camera rays that are traced side by side, at most. */
 enum { WAVEFRONT_SAMPLES = WAVEFRONT_PACKETS * PACKET_RAYS };
-
-/** Rays of one kind that wait to be traced. */
-typedef struct RayQueue {
-    RayColumns *columns; /**< The rays, from #RAY_COLUMN_FIRST on; owned. */
-    unsigned count;      /**< Number of rays. */
-} RayQueue;
 
 /** Memory of a wavefront, one for each thread that traces; only what is used is ever touched.
  *  Camera rays that need more are traced in smaller groups, so the sizes change the time alone. */
@@ -40,23 +34,6 @@ struct Wavefront {
 };
 
 /* --- memory ----------------------------------------------------------------------------------- */
-
-/** Allocates a queue for each kind of rays. @return Whether memory sufficed. */
-static bool ray_queues_init(RayQueue *queues) {
-    bool has_memory = true;
-    for (int child = 0; child < CHILD_COUNT; child++) {
-        queues[child].columns = malloc(sizeof *queues[child].columns);
-        has_memory = has_memory && queues[child].columns;
-    }
-    return has_memory;
-}
-
-/** Frees the rays of queues. */
-static void ray_queues_deinit(RayQueue *queues) {
-    for (int child = 0; child < CHILD_COUNT; child++) {
-        free(queues[child].columns);
-    }
-}
 
 Wavefront *wavefront_create(void) {
     Wavefront *wavefront = calloc(1, sizeof *wavefront);
@@ -86,23 +63,6 @@ void wavefront_destroy(Wavefront *wavefront) {
 
 unsigned wavefront_sample_limit(const Wavefront *wavefront) {
     return wavefront->sample_limit;
-}
-
-/** @return The number of rays of both kinds. */
-static unsigned ray_queues_count(const RayQueue *queues) {
-    return queues[CHILD_REFLECTED].count + queues[CHILD_REFRACTED].count;
-}
-
-/** Empties queues. */
-static void ray_queues_clear(RayQueue *queues) {
-    queues[CHILD_REFLECTED].count = queues[CHILD_REFRACTED].count = 0;
-}
-
-/** Adds rays. @param lanes Which lanes, as bits; there is room. */
-INLINE void ray_queue_add(RayQueue *queue, unsigned lanes, const RayVector *rays,
-                          int interior_count) {
-    ray_columns_store(queue->columns, RAY_COLUMN_FIRST + queue->count, lanes, rays, interior_count);
-    queue->count += (unsigned)__builtin_popcount(lanes);
 }
 
 /** Lowers #Wavefront.sample_limit, as memory did not suffice. @return false */
@@ -142,12 +102,6 @@ static bool wavefront_has_room(const Wavefront *wavefront) {
 }
 
 /* --- from packets to the queues --------------------------------------------------------------- */
-
-/** The rays of a packet in the wavefront. */
-typedef struct PacketSource {
-    unsigned nodes[PACKET_VECTORS];  /**< Their nodes: the first of each vector. */
-    integer samples[PACKET_VECTORS]; /**< Their camera rays. */
-} PacketSource;
 
 /** Adds the nodes of camera rays at whose surfaces rays start. @param p Index of the packet.
  *  @param[out] source The nodes. */
@@ -231,63 +185,6 @@ static void scattered_rays_queue(Wavefront *wavefront, scalar cutoff, const Pack
 }
 
 /* --- from the queues to packets --------------------------------------------------------------- */
-
-/** A packet made of queued rays. */
-typedef struct GatheredPacket {
-    RayState rays;                         /**< The rays. */
-    InteriorList interior[PACKET_VECTORS]; /**< The shapes that they are inside of. */
-    Rgb weights[PACKET_VECTORS];           /**< See #NODE_WEIGHT. */
-    integer parents[PACKET_VECTORS];       /**< Nodes of the rays that they come from. */
-    uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
-    PacketSource source;                   /**< Their nodes. */
-} GatheredPacket;
-
-/** @return A row of #RayVector.numbers as a vector. */
-INLINE Vec3 vec3_of_row(const real *row) {
-    return (Vec3){row[0], row[1], row[2]};
-}
-
-/** @return A row of #RayVector.numbers as a colour. */
-INLINE Rgb rgb_of_row(const real *row) {
-    return (Rgb){row[0], row[1], row[2]};
-}
-
-/** Sets a vector of a packet. @param lanes The lanes that hold a ray; at least the first. */
-INLINE void packet_set_vector(GatheredPacket *gathered, int v, RayVector *rays, mask lanes) {
-    if (mask_bits(lanes) != ALL_LANES) {
-        ray_vector_repeat_first(rays, lanes);
-    }
-    gathered->rays.packet.rays[v] = ray_of(vec3_of_row(rays->numbers[RAY_COLUMN_ORIGIN]),
-                                           vec3_of_row(rays->numbers[RAY_COLUMN_DIRECTION]));
-    gathered->rays.throughput[v] = rgb_of_row(rays->numbers[RAY_COLUMN_THROUGHPUT]);
-    gathered->rays.turns[v] = rays->turns;
-    gathered->interior[v] = rays->interior;
-    gathered->weights[v] = rgb_of_row(rays->numbers[RAY_COLUMN_WEIGHT]);
-    gathered->parents[v] = rays->parent;
-    gathered->source.samples[v] = rays->sample;
-}
-
-/**
- * Makes a packet of queued rays.
- * @param first  Place of the first ray.
- * @param count  Number of rays, 1 to #PACKET_RAYS.
- */
-static void packet_gather(const RayColumns *columns, int interior_count, unsigned first,
-                          unsigned count, GatheredPacket *gathered) {
-    Packet *packet = &gathered->rays.packet;
-    gathered->rays.interior = gathered->interior;
-    packet->wants_points = true;
-    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
-        unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
-        packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
-        packet->limit[v] = real_of(INFINITE);
-        gathered->rays.turns[v] = integer_of(0); // Counted on in unused vectors, too.
-        if (fill > 0) {
-            RayVector rays = ray_columns_load(columns, first + done, interior_count);
-            packet_set_vector(gathered, (int)v, &rays, packet->active[v]);
-        }
-    }
-}
 
 /** Sets what identifies the samples of a packet. @param context Of the camera rays. */
 static void packet_set_context(const Wavefront *wavefront, const SampleContext *context,

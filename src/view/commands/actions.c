@@ -113,7 +113,15 @@ void action_change_offset(App *app, int step) {
 }
 
 void action_change_epsilon(App *app, int factor) {
+    OffsetStrategy before = app->window.base_settings.trace.offset;
     change_setting(app, settings_override_epsilon, factor);
+    RenderSettings settings = window_requested_settings(&app->window);
+    if (before != settings.trace.offset) {
+        // The slider changes two settings at once, and only one of them is under the mouse.
+        app_set_status(app, "%s, offset %s, epsilon %.3g: the scene's own offset, %s, is off",
+                       settings.engine->name, offset_strategy_names[settings.trace.offset],
+                       settings.trace.epsilon, offset_strategy_names[before]);
+    }
 }
 
 void action_change_depth(App *app, int step) {
@@ -294,7 +302,13 @@ void action_switch_language(App *app, int argument) {
 
 void action_browse_scenes(App *app, int argument) {
     (void)argument;
-    current_scene_browse(app);
+    app->window.help.is_open = false; // It would cover the list.
+    if (app->window.browser.is_open) {
+        browser_close(&app->window.browser);
+        window_present(&app->window);
+    } else {
+        current_scene_browse(app);
+    }
 }
 
 void action_toggle_recording(App *app, int argument) {

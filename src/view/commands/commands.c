@@ -55,7 +55,7 @@
 /** The help of the keys that choose rays. */
 #define RAY_STEPS .help = N_("ray before, after, in flight (Shift 1 to 8: more)")
 /** The help of the keys that show values of the picture, and of the one that resets all. */
-#define SHOWN_VALUES .help = N_("costs, magnifier, chart; all as at first")
+#define SHOWN_VALUES .help = N_("costs, chart, magnifier; all as at first")
 /** The help of the keys of epsilon. */
 #define EPSILON .help = N_("epsilon half, twice (Shift: 1/10, 10 times)")
 
@@ -167,11 +167,11 @@ const Command command_table[] = {
     {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(action_toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("words for that lesson"), .flags = COMMAND_UNRECORDED, RUNS(action_begin_caption, 0)},
     {"help", {KEY(F1), KEY(h)}, N_("help"), PROGRAM, .help = N_("this help"), .flags = COMMAND_WHILE_PLAYING, RUNS(action_toggle_help, 0)},
-    {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("toolbar, full screen"),
+    {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("toolbar"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_toggle_toolbar, 0)},
     {"presentation", {KEY(F5)}, N_("class"), PROGRAM, .help = N_("for a class: large letters, no toolbar"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_toggle_presentation, 0)},
-    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("toolbar, full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(action_toggle_full_screen, 0)},
+    {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("full screen"), .flags = COMMAND_WHILE_PLAYING, RUNS(action_toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_leave, 0)},
     {0},

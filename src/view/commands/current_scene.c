@@ -158,7 +158,12 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     }
     app->source.has_load_error = false;
     app_on_view_changed(app);
-    if (load->path[0] != '\0' || load->force_reload) {
+    bool is_other = load->path[0] != '\0';
+    if (is_other && !load->lesson && window_has_overrides(&app->window)) {
+        app_set_status(app, "the settings that you changed are kept; as the scene has them: "
+                            "Backspace");
+    }
+    if (is_other || load->force_reload) {
         app_show_notes(app);
     }
     return true;

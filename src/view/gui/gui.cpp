@@ -87,10 +87,16 @@ bool is_leaving(const SDL_Event *event) {
            !ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/** @return Whether an event is of a function key: those are for the program. */
-bool is_function_key(const SDL_Event *event) {
-    return event->type != SDL_TEXTINPUT && event->key.keysym.sym >= SDLK_F1 &&
-           event->key.keysym.sym <= SDLK_F12;
+/** @return Whether an event is of a function key, or of a letter with Ctrl while no number is
+ * typed: those are for the program. */
+bool is_program_key(const SDL_Event *event) {
+    if (event->type == SDL_TEXTINPUT) {
+        return false;
+    }
+    const SDL_Keysym &key = event->key.keysym;
+    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL;
+    return (key.sym >= SDLK_F1 && key.sym <= SDLK_F12) ||
+           (is_letter && !ImGui::GetIO().WantTextInput);
 }
 
 /** Asks the system for letters while a number is typed, and only then: else a key that moves things
@@ -215,11 +221,16 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
         take_keyboard(gui);
         return true;
     }
-    if (is_typed && gui->has_keyboard && is_function_key(event)) {
+    if (is_typed && gui->has_keyboard && is_program_key(event)) {
         return false;
     }
     if (is_typed) {
-        ImGui_ImplSDL2_ProcessEvent(event);
+        SDL_Event typed = *event;
+        // Only numbers are typed into fields, and many write a comma in them.
+        if (event->type == SDL_TEXTINPUT && strcmp(event->text.text, ",") == 0) {
+            typed.text.text[0] = '.';
+        }
+        ImGui_ImplSDL2_ProcessEvent(&typed);
         gui->due_frames = FRAMES_PER_EVENT;
     }
     return (is_mouse && was_wanted) || is_typed;
@@ -313,6 +324,10 @@ void gui_request_frames(Gui *gui) {
     if (gui) {
         gui->due_frames = FRAMES_PER_EVENT;
     }
+}
+
+bool gui_has_mouse() {
+    return ImGui::GetIO().WantCaptureMouse;
 }
 
 void gui_set_cursor(GuiCursor cursor) {

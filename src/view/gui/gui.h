@@ -53,7 +53,8 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
-/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it back.
+/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it
+ * back.
  *  @return Whether it has it now. */
 bool gui_give_keyboard(Gui *gui);
 
@@ -81,6 +82,9 @@ typedef enum {
     GUI_CURSOR_MOVE,    /**< Something is moved. */
     GUI_CURSOR_SIDEWAYS /**< Something can be moved left and right. */
 } GuiCursor;
+
+/** @return Whether the mouse is over a widget or a panel. */
+bool gui_has_mouse(void);
 
 /** Sets the shape of the mouse for this frame, unless it is over a widget. */
 void gui_set_cursor(GuiCursor cursor);
@@ -152,6 +156,17 @@ float gui_rows_panel_height(const GuiRow *rows, size_t count, float width);
 /** Begins a panel that fills a room; what is too high scrolls. */
 void gui_panel_begin(const char *id, const GuiRect *room);
 
+/** Has the present panel show its upper end. */
+void gui_scroll_to_top(void);
+
+/** Puts the next widget at the right end of the present line, or of the next one where it has no
+ *  room. @param label Its words. */
+void gui_at_right(const char *label);
+
+/** Shows what is searched in a box with a caret, as wide as the line. @param text What is typed;
+ *  empty: the hint is shown. */
+void gui_search_box(const char *text, const char *hint);
+
 /** Ends the panel. */
 void gui_panel_end(void);
 
@@ -182,6 +197,9 @@ typedef enum {
  *  #GUI_COLOR_FAINT: it does nothing. @param is_on Whether it is selected. */
 GuiMouse gui_key(const GuiRect *rect, const char *cap, GuiColor color, bool is_on);
 
+/** Begins a panel of thumbnails: the wheel goes on by one line of them. See #gui_panel_begin. */
+void gui_gallery_begin(const char *id, const GuiRect *room);
+
 /** What a picture of a list shows. */
 typedef struct GuiThumbnail {
     SDL_Texture *texture; /**< The picture; NULL: none yet. */
@@ -196,8 +214,10 @@ typedef struct GuiThumbnail {
  *  columns How many that are. */
 float gui_thumbnail_width(int *columns);
 
-/** Draws a picture of a list. @param column Its column; 0 begins a new line. */
-GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width);
+/** Draws a picture of a list. @param column Its column; 0 begins a new line. @param[out] is_seen
+ *  Whether any part of it is in sight. */
+GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width,
+                       bool *is_seen);
 
 /* --- the bar ---------------------------------------------------------------------------------- */
 
@@ -214,12 +234,13 @@ bool gui_button(const char *label, const char *tooltip, bool is_on);
 /**
  * A list of which one entry is chosen.
  * @param id        Unique to this list in its bar; not shown.
- * @param names     The entries.
+ * @param names     The entries, as the bar shows the chosen one.
+ * @param explained The entries, as the open list shows them.
  * @param selected  Index of the chosen one.
  * @return The index that the user has chosen now; -1: none.
  */
-int gui_choice(const char *id, const char *const *names, int count, int selected,
-               const char *tooltip);
+int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
+               int selected, const char *tooltip);
 
 /** A number with a button on each side. @param widest The widest text that it may have, so that the
  *  bar does not move. @return -1 or 1: the user wants less or more; else 0. */
@@ -290,6 +311,9 @@ size_t gui_texts(const Gui *gui, const GuiText **texts);
 
 /** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_panel_end. */
 void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
+
+/** Begins a row of buttons, as high as they need. Its widgets follow, then #gui_bar_end. */
+void gui_row_begin(const char *id, GuiPoint corner, float width);
 
 /** A line of a label and a text, which is broken where it is too long. @param label Empty: none. */
 void gui_list_text(const char *label, const char *text);
@@ -462,8 +486,8 @@ void gui_inspector_end(void);
 /** Begins a part of a panel, which can be folded. @return Whether it is open. */
 bool gui_inspector_section(const char *label, bool is_open_at_first);
 
-/** A button in a panel. @return Whether it was clicked. */
-bool gui_inspector_button(const char *label, const char *tooltip);
+/** A button in a panel. @param is_enabled Whether it can be clicked. @return Whether it was. */
+bool gui_inspector_button(const char *label, const char *tooltip, bool is_enabled);
 
 /**
  * Numbers that are dragged with the mouse, or typed after a click with Ctrl.

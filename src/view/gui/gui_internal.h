@@ -79,6 +79,9 @@ ImVec4 clipped(ImVec2 low, ImVec2 high);
 /** Records the label of the last widget, which is cut where the widget ends. */
 void record_label(const char *label);
 
+/** Records the label of the last widget, which stands at its left end. */
+void record_left_label(const char *label);
+
 /** Records the label of the last widget, which stands at its right end. */
 void record_right_label(const char *label);
 

@@ -13,9 +13,15 @@ constexpr int LIGHT_RAYS = 8;
 /** Width of the inspector of objects, in heights of letters. */
 constexpr float INSPECTOR_WIDTH = 16.5F;
 /** Width of a widget in it, in heights of letters. */
-constexpr float INSPECTOR_WIDGET_WIDTH = 7.2F;
+constexpr float INSPECTOR_WIDGET_WIDTH = 7.7F;
+/** Opacity of the inspector: no outline is seen through its words. */
+constexpr float INSPECTOR_ALPHA = 0.97F;
 /** How much a pixel of a drag changes the brightness of a colour. */
 constexpr float COLOR_DRAG = 0.01F;
+/** The brightness of a colour, with a sun before it. */
+constexpr char BRIGHTNESS[] = "\xe2\x98\xbc %.3f";
+/** Width of the picker of colours, in heights of letters. */
+constexpr float PICKER_WIDTH = 8;
 /** Colours are rounded to this fraction of 1. */
 constexpr double COLOR_GRAINS = 10000;
 /** Bytes of the inspector's title with the final zero. */
@@ -44,10 +50,35 @@ double round_color(double linear) {
  *  has changed it. */
 bool drag_or_slide(const char *id, double *number, double high) {
     const double low = 0;
-    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high, "%.3f",
-                                           ImGuiSliderFlags_AlwaysClamp)
+    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high,
+                                           BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp)
                      : ImGui::DragScalar(id, ImGuiDataType_Double, number, COLOR_DRAG, &low, &high,
-                                         "%.3f", ImGuiSliderFlags_AlwaysClamp);
+                                         BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp);
+}
+
+/** Shows a colour as a square, which opens a picker with a button that closes it. @param[in,out]
+ *  encoded The colour, sRGB. @return Whether the user has changed it. */
+bool pick_color(float encoded[3], float side) {
+    const ImVec4 shown(encoded[0], encoded[1], encoded[2], 1);
+    bool is_picked = false;
+    if (ImGui::ColorButton("##color", shown,
+                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                           ImVec2(side, side))) {
+        ImGui::OpenPopup("picker");
+    }
+    if (ImGui::BeginPopup("picker")) {
+        ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
+        is_picked = ImGui::ColorPicker3(
+            "##picker", encoded,
+            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
+                ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs |
+                ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+        if (ImGui::Button("OK")) {
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::EndPopup();
+    }
+    return is_picked;
 }
 
 /** @return Whether a panel of the last frame lies on a part of the window. */
@@ -140,6 +171,7 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
     ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    ImGui::SetNextWindowBgAlpha(INSPECTOR_ALPHA);
     Gui *gui = current_gui();
     if (gui->takes_focus) {
         ImGui::SetNextWindowFocus();
@@ -178,12 +210,12 @@ bool gui_inspector_section(const char *label, bool is_open_at_first) {
     return is_open;
 }
 
-bool gui_inspector_button(const char *label, const char *tooltip) {
+bool gui_inspector_button(const char *label, const char *tooltip, bool is_enabled) {
     if (ImGui::GetCurrentWindow()->DC.CursorPosPrevLine.x >
         ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x) {
         place_in_bar(button_width(label));
     }
-    return push_button(label, tooltip, false);
+    return gui_step_button(label, tooltip, is_enabled, false);
 }
 
 bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,
@@ -222,10 +254,7 @@ bool gui_edit_color(const char *label, double rgb[3], double high, const char *t
         encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
     }
     ImGui::SameLine(0, gap);
-    bool is_picked = ImGui::ColorEdit3(
-        "##color", encoded,
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
-            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs);
+    bool is_picked = pick_color(encoded, swatch);
     for (int i = 0; is_picked && i < 3; i++) {
         rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
     }

@@ -18,6 +18,10 @@ constexpr int NAME_LINES = 2;
 constexpr float KEY_TEXT_FRACTION = 1 / 30.0F;
 /** See KEY_TEXT_FRACTION. */
 constexpr float KEY_TEXT_MINIMUM = 14;
+/** Bytes of what is searched, with a caret and the final zero. */
+constexpr size_t SEARCH_SIZE = 128;
+/** The caret of what is typed. */
+constexpr char CARET[] = "\xe2\x96\x8f";
 /** Colour of keys without a command, and of thumbnails that are not drawn yet. */
 constexpr ImU32 EMPTY = IM_COL32(42, 46, 58, 255);
 
@@ -35,12 +39,33 @@ void put_fitted_text(ImVec2 low, ImVec2 high, ImU32 color, const char *text) {
     record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), clipped(low, high), size);
 }
 
+/** @return Height of the picture of a thumbnail. */
+float thumbnail_picture_height(float width) {
+    const float pad = PADDING * ImGui::GetFontSize();
+    return roundf((width - 2 * pad) * THUMBNAIL_RATIO);
+}
+
+/** @return Height of a thumbnail with its name. */
+float thumbnail_height(float width) {
+    const float size = ImGui::GetFontSize();
+    return thumbnail_picture_height(width) + 3 * PADDING * size + NAME_LINES * size;
+}
+
+/** Begins a panel. See #gui_panel_begin. */
+void begin_panel(const char *id, const GuiRect *room, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowBgAlpha(PANEL_ALPHA);
+    begin_window(id, ImVec2(room->x, room->y), ImVec2(room->width, room->height), flags);
+    if (ImGui::IsWindowAppearing()) {
+        gui_request_frames(current_gui()); // The scroll bar comes when the height is known.
+    }
+}
+
 /** Draws the picture of a thumbnail, or its message, and its name. @param low Upper left corner. */
 void draw_thumbnail(const GuiThumbnail *thumbnail, ImVec2 low, float width, float picture_height,
                     bool is_hovered) {
     const float size = ImGui::GetFontSize(), pad = PADDING * size;
     ImDrawList *list = ImGui::GetWindowDrawList();
-    ImVec2 high(low.x + width, low.y + picture_height + 3 * pad + NAME_LINES * size);
+    ImVec2 high(low.x + width, low.y + thumbnail_height(width));
     ImVec2 first(low.x + pad, low.y + pad), last(high.x - pad, low.y + pad + picture_height);
     if (is_hovered || thumbnail->is_selected) {
         list->AddRectFilled(low, high, thumbnail->is_selected ? SELECTED : HOVERED,
@@ -108,11 +133,51 @@ GuiColor gui_group_color(int group) {
 }
 
 void gui_panel_begin(const char *id, const GuiRect *room) {
-    ImGui::SetNextWindowBgAlpha(PANEL_ALPHA);
-    begin_window(id, ImVec2(room->x, room->y), ImVec2(room->width, room->height), 0);
-    if (ImGui::IsWindowAppearing()) {
-        gui_request_frames(current_gui()); // The scroll bar comes when the height is known.
+    begin_panel(id, room, 0);
+}
+
+void gui_gallery_begin(const char *id, const GuiRect *room) {
+    begin_panel(id, room, ImGuiWindowFlags_NoScrollWithMouse);
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0 && ImGui::IsWindowHovered()) {
+        int columns;
+        const float width = gui_thumbnail_width(&columns);
+        const float line = thumbnail_height(width) + ImGui::GetStyle().ItemSpacing.y;
+        ImGui::SetScrollY(fmaxf(0, ImGui::GetScrollY() - wheel * line));
     }
+}
+
+void gui_scroll_to_top() {
+    ImGui::SetScrollY(0);
+}
+
+void gui_at_right(const char *label) {
+    const float width = button_width(label), left = ImGui::GetItemRectMax().x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (left + ImGui::GetStyle().ItemSpacing.x + width <= right) {
+        ImGui::SameLine(right - width - ImGui::GetWindowPos().x);
+    }
+}
+
+void gui_search_box(const char *text, const char *hint) {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    ImVec2 high(low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetFrameHeight());
+    const float room = high.x - low.x - 2 * style.FramePadding.x;
+    char shown[SEARCH_SIZE];
+    snprintf(shown, sizeof shown, "%s%s", text, CARET);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), style.FrameRounding);
+    list->AddRect(low, high, ACCENT, style.FrameRounding);
+    ImVec2 at(low.x + style.FramePadding.x, low.y + style.FramePadding.y);
+    list->PushClipRect(low, high, true);
+    put_text(at, 0, ACCENT, shown);
+    if (text[0] == '\0' && ImGui::CalcTextSize(hint).x + ImGui::CalcTextSize(CARET).x < room) {
+        at.x += ImGui::CalcTextSize(CARET).x;
+        put_text(at, 0, PALETTE[GUI_COLOR_FAINT], hint);
+    }
+    list->PopClipRect();
+    ImGui::Dummy(ImVec2(high.x - low.x, high.y - low.y));
 }
 
 void gui_panel_end() {
@@ -155,10 +220,10 @@ float gui_thumbnail_width(int *columns) {
     return floorf((width + gap) / static_cast<float>(*columns) - gap);
 }
 
-GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width) {
-    const float size = ImGui::GetFontSize(), pad = PADDING * size;
-    const float picture_height = roundf((width - 2 * pad) * THUMBNAIL_RATIO);
-    const float height = picture_height + 3 * pad + NAME_LINES * size;
+GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width,
+                       bool *is_seen) {
+    const float picture_height = thumbnail_picture_height(width);
+    const float height = thumbnail_height(width);
     if (column > 0) {
         ImGui::SameLine();
     }
@@ -170,7 +235,8 @@ GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float 
     if (thumbnail->scrolls_to_it) {
         ImGui::SetScrollHereY();
     }
-    if (ImGui::IsItemVisible()) {
+    *is_seen = ImGui::IsItemVisible();
+    if (*is_seen) {
         draw_thumbnail(thumbnail, low, width, picture_height, is_hovered);
     }
     if (is_hovered) {

@@ -12,6 +12,8 @@ constexpr float LABEL_PADDING = 0.12F;
 constexpr float FLIGHT_WIDTH = 0.22F;
 /** Step by which rows of a list are moved to the right, in heights of letters. */
 constexpr float ROW_INDENT = 0.7F;
+/** Largest part of a list's width for a label beside lines of text. */
+constexpr float SHORT_LABEL_FRACTION = 0.3F;
 /** Largest part of a list's width by which a row is moved. */
 constexpr float INDENT_FRACTION = 0.2F;
 
@@ -24,12 +26,26 @@ void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size) {
                  ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
+void gui_row_begin(const char *id, GuiPoint corner, float width) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y));
+    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    ImGui::Begin(id, nullptr,
+                 PANEL_FLAGS | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Dummy(ImVec2(0, 0));
+    if (ImGui::IsWindowAppearing()) {
+        gui_request_frames(current_gui()); // What lies below it learns its height.
+    }
+}
+
 void gui_list_text(const char *label, const char *text) {
     if (label[0] != '\0') {
         gui_paragraph(label, GUI_COLOR_ACCENT, 1);
         float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
         float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-        if (left + ImGui::CalcTextSize(text).x <= right) {
+        float label_width = ImGui::GetItemRectSize().x, whole = right - ImGui::GetItemRectMin().x;
+        bool has_short_label = label_width <= SHORT_LABEL_FRACTION * whole &&
+                               text_extent(text, right - left).x <= right - left;
+        if (has_short_label || left + ImGui::CalcTextSize(text).x <= right) {
             ImGui::SameLine();
         }
     }
@@ -54,9 +70,12 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
     put_text(ImVec2(low.x + size, corner.y), room, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
         // Always the same place, wherever the list was scrolled to.
-        float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2 -
-                       ImGui::GetWindowPos().y + ImGui::GetScrollY();
-        ImGui::SetScrollY(floorf(fmaxf(0, middle - ImGui::GetWindowHeight() / 2)));
+        const float scrolled = ImGui::GetScrollY() - ImGui::GetWindowPos().y;
+        const float top = ImGui::GetItemRectMin().y + scrolled;
+        const float bottom = ImGui::GetItemRectMax().y + scrolled,
+                    height = ImGui::GetWindowHeight();
+        bool is_on_first_page = bottom + ImGui::GetStyle().WindowPadding.y <= height;
+        ImGui::SetScrollY(is_on_first_page ? 0 : floorf(fmaxf(0, (top + bottom) / 2 - height / 2)));
         gui_request_frames(current_gui()); // The list knows its height in the next one.
     }
     ImGui::PopID();

@@ -8,6 +8,8 @@ namespace {
 
 /** Size of very large letters, in heights of letters. */
 constexpr float TITLE_SIZE = 2.2F;
+/** Distance of a tooltip from its widget, in heights of letters. */
+constexpr float TOOLTIP_GAP = 0.25F;
 /** Widest line of a tooltip, in heights of letters. */
 constexpr float TOOLTIP_WIDTH = 24;
 
@@ -37,13 +39,28 @@ float message_width() {
 } // namespace
 
 void show_tooltip(const char *text) {
-    if (text && text[0] != '\0' && ImGui::IsItemHovered()) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(TOOLTIP_WIDTH * ImGui::GetFontSize());
-        ImGui::TextUnformatted(text);
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
+    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
     }
+    const ImVec2 display = ImGui::GetIO().DisplaySize, pad = ImGui::GetStyle().WindowPadding;
+    const float width = fminf(TOOLTIP_WIDTH * ImGui::GetFontSize(), display.x - 2 * pad.x);
+    const ImVec2 extent = text_extent(text, width);
+    const ImVec2 whole(extent.x + 2 * pad.x, extent.y + 2 * pad.y);
+    const float gap = TOOLTIP_GAP * ImGui::GetFontSize();
+    // Below the whole bar, so that it lies on none of its buttons; above what is too far down.
+    const ImGuiWindow *window = ImGui::GetCurrentWindowRead();
+    const bool is_bar = window->Pos.y <= 0 && window->Size.x >= display.x;
+    ImVec2 low = ImGui::GetItemRectMin();
+    ImVec2 at(fmaxf(0, fminf(low.x, display.x - whole.x)),
+              (is_bar ? window->Pos.y + window->Size.y : ImGui::GetItemRectMax().y) + gap);
+    at.y = at.y + whole.y > display.y ? fmaxf(0, low.y - gap - whole.y) : at.y;
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowBgAlpha(1);
+    ImGui::BeginTooltip();
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    put_text(corner, width, TEXT, text);
+    ImGui::Dummy(extent);
+    ImGui::EndTooltip();
 }
 
 void record_text(const char *text, ImVec2 low, ImVec2 high, const ImVec4 &clip, float size) {
@@ -71,6 +88,14 @@ void record_label(const char *label) {
     ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec2 size = ImGui::CalcTextSize(label);
     float left = (low.x + high.x - size.x) / 2, top = (low.y + high.y - size.y) / 2;
+    record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
+                ImGui::GetFontSize());
+}
+
+void record_left_label(const char *label) {
+    ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImVec2 size = ImGui::CalcTextSize(label);
+    float left = low.x + ImGui::GetStyle().FramePadding.x, top = (low.y + high.y - size.y) / 2;
     record_text(label, ImVec2(left, top), ImVec2(left + size.x, top + size.y), clipped(low, high),
                 ImGui::GetFontSize());
 }

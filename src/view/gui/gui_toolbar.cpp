@@ -8,6 +8,21 @@ namespace {
 
 /** Width of a slider, in heights of letters. */
 constexpr float SLIDER_WIDTH = 7;
+/** Opacity of the knob of a slider with a number on it, of 255. */
+constexpr int KNOB_ALPHA = 120;
+/** Size of the triangle that tells a list from a button, in heights of letters. */
+constexpr float TRIANGLE_SIZE = 0.18F;
+
+/** Draws a triangle that points down at the right end of the last widget. */
+void draw_triangle() {
+    const float size = TRIANGLE_SIZE * ImGui::GetFontSize();
+    ImVec2 high = ImGui::GetItemRectMax();
+    float right = high.x - (ImGui::GetStyle().FramePadding.x / 2 - size); // In the padding.
+    float middle = (ImGui::GetItemRectMin().y + high.y) / 2;
+    ImGui::GetWindowDrawList()->AddTriangleFilled(
+        ImVec2(right - 2 * size, middle - size / 2), ImVec2(right, middle - size / 2),
+        ImVec2(right - size, middle + size / 2), PALETTE[GUI_COLOR_FAINT]);
+}
 
 } // namespace
 
@@ -59,8 +74,8 @@ bool gui_button(const char *label, const char *tooltip, bool is_on) {
     return push_button(label, tooltip, is_on);
 }
 
-int gui_choice(const char *id, const char *const *names, int count, int selected,
-               const char *tooltip) {
+int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
+               int selected, const char *tooltip) {
     const char *shown = selected >= 0 && selected < count ? names[selected] : "";
     int chosen = -1;
     float width = 0;
@@ -76,13 +91,14 @@ int gui_choice(const char *id, const char *const *names, int count, int selected
             gui_request_frames(current_gui()); // The list finds its size.
         }
         for (int i = 0; i < count; i++) {
-            if (ImGui::Selectable(names[i], i == selected) && i != selected) {
+            if (ImGui::Selectable(explained[i], i == selected) && i != selected) {
                 chosen = i;
             }
         }
         ImGui::EndCombo();
     } else {
-        record_label(shown);
+        draw_triangle();
+        record_left_label(shown);
         show_tooltip(tooltip);
     }
     ImGui::PopID();
@@ -119,8 +135,13 @@ bool gui_log_slider(const char *id, double *value, double low, double high, cons
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
+    // The number is read through the knob.
+    const ImU32 knob = (ACCENT & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, KNOB_ALPHA);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, knob);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, knob);
     bool is_changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &exponent, &least,
                                           &most, text, ImGuiSliderFlags_NoInput);
+    ImGui::PopStyleColor(2);
     if (is_changed) {
         *value = pow(10, exponent);
     }

@@ -112,6 +112,10 @@ void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
     if (!is_down || is_ignored_repeat || (key->keysym.mod & WINDOW_MANAGER_MODIFIERS)) {
         return;
     }
+    if (app->window.help.is_open && command && !(command->flags & COMMAND_WHILE_PLAYING)) {
+        app->window.help.is_open = false; // What the key does is seen, not hidden by the help.
+        window_present(&app->window);
+    }
     if (!player_handle_command(app, command) && command) {
         command_issue(app, command, time);
     }

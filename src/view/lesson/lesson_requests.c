@@ -168,7 +168,8 @@ bool player_handle_digit(App *app, SDL_Scancode key) {
 
 /** Handles a command that steers the lesson. @return Whether it does. */
 static bool steer(App *app, const Command *command) {
-    if (app->player.state == PLAYER_CAPTURES) {
+    bool is_asking = app->player.state == PLAYER_ASKS && command_is(command, "time");
+    if (app->player.state == PLAYER_CAPTURES || is_asking) {
         return false;
     }
     if (command_is(command, "time")) {

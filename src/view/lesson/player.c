@@ -81,7 +81,10 @@ void player_open_file(App *app, const char *path) {
         current_scene_is_locked(app);
         return;
     }
-    player_end(app);
+    if (app->player.lesson) {
+        player_end(app);
+        app_restart_view(app, app->scene_time); // What the lesson has changed is its own.
+    }
     current_scene_open(app, path);
 }
 

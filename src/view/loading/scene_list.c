@@ -21,6 +21,8 @@
 
 /** Folder of lessons, beside the scenes. */
 #define LESSON_FOLDER "lessons/"
+/** Depth of a lesson's picture, at least. */
+enum { LESSON_DEPTH = 8 };
 /** Niceness of the thread and its children. */
 static const int THREAD_NICENESS = 15;
 
@@ -101,17 +103,20 @@ static void find_scenes(SceneList *list) {
 }
 
 /** Draws a thumbnail. @param[out] error Error of the scene. */
-static void draw_thumbnail(const SceneList *list, const char *path, Picture *picture,
+static void draw_thumbnail(const SceneList *list, const SceneEntry *entry, Picture *picture,
                            Error *error) {
     const ViewSettings *settings = list->settings;
     RenderSettings render;
-    Scene *scene =
-        settings->preview(settings->loader_context, path, &list->should_stop, &render, error);
+    Scene *scene = settings->preview(settings->loader_context, entry->path, &list->should_stop,
+                                     &render, error);
     if (!scene) {
         return;
     }
     render.threads = 1;
     render.samples = SDL_min(render.samples, 2);
+    // A lesson may begin with black mirrors and glass, which says nothing of what comes.
+    render.trace.depth =
+        entry->is_lesson ? SDL_max(render.trace.depth, LESSON_DEPTH) : render.trace.depth;
     render.width = THUMBNAIL_WIDTH;
     render.height = THUMBNAIL_HEIGHT;
     Renderer *renderer = renderer_create(scene, &render, error);
@@ -134,7 +139,7 @@ static void load_entry(SceneList *list, size_t index) {
     SceneEntry *scene = &list->scenes[index];
     Picture picture = {0};
     Error error = {0};
-    draw_thumbnail(list, scene->path, &picture, &error);
+    draw_thumbnail(list, scene, &picture, &error);
     scene_list_lock(list);
     scene->picture = picture;
     scene->is_loaded = true;
@@ -145,14 +150,32 @@ static void load_entry(SceneList *list, size_t index) {
     push_list_event(list);
 }
 
+/** Finds the scene to be drawn next: the first in sight, else the first of all. @param[out] next
+ *  Its index. @return false if all are drawn. */
+static bool find_next(SceneList *list, size_t *next) {
+    bool is_any = false, is_in_sight = false;
+    scene_list_lock(list);
+    for (size_t i = 0; i < list->count && !is_in_sight; i++) {
+        const SceneEntry *scene = &list->scenes[i];
+        if (!scene->is_loaded && (!is_any || scene->is_in_sight)) {
+            *next = i;
+            is_any = true;
+            is_in_sight = scene->is_in_sight;
+        }
+    }
+    scene_list_unlock(list);
+    return is_any;
+}
+
 /** Finds and draws all scenes, as a thread. @return NULL */
 static void *scene_list_main(void *context) {
     SceneList *list = context;
     setpriority(PRIO_PROCESS, (id_t)gettid(), THREAD_NICENESS); // On Linux, of this thread alone.
     find_scenes(list);
     push_list_event(list);
-    for (size_t i = 0; i < list->count && !atomic_load(&list->should_stop); i++) {
-        load_entry(list, i);
+    size_t next = 0;
+    while (!atomic_load(&list->should_stop) && find_next(list, &next)) {
+        load_entry(list, next);
     }
     atomic_store(&list->is_running, false);
     push_list_event(list);

@@ -27,6 +27,7 @@ typedef struct SceneEntry {
     char title[SCENE_TITLE_SIZE];     /**< Its title, see #scene_title_read, or its error. */
     bool is_lesson;                   /**< Whether it is a lesson. */
     bool is_loaded;                   /**< Whether it was drawn or has an error. */
+    bool is_in_sight;                 /**< Whether it is on screen: those are drawn first. */
     Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 

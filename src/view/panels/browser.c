@@ -20,7 +20,8 @@ bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event
     browser_release_textures(browser);
     scene_list_deinit(&browser->list);
     browser->is_open = scene_list_start(&browser->list, settings, event, path);
-    browser->is_reopen_pending = browser->is_current_selected = browser->is_requested = false;
+    browser->is_reopen_pending = browser->is_current_selected = browser->is_requested =
+        browser->is_close_requested = false;
     SDL_strlcpy(browser->path, path, sizeof browser->path);
     browser->selected = 0;
     browser->filter[0] = '\0';
@@ -52,24 +53,40 @@ void browser_deinit(Browser *browser) {
 
 /* --- searching -------------------------------------------------------------------------------- */
 
-/** @return Whether a text holds some words, small and capital letters being equal. */
-static bool holds(const char *text, const char *words) {
-    const size_t length = strlen(words);
-    for (; *text; text++) {
-        if (SDL_strncasecmp(text, words, length) == 0) {
-            return true;
+/** Writes a text as it is searched: without accents of Latin-1, in small letters, hyphens and
+ *  underscores as spaces. */
+static void fold(const char *text, char folded[SCENE_TITLE_SIZE]) {
+    /** The letters from U+00E0 to U+00FF, and with 32 more the capital ones; `.`: it stays. */
+    static const char letters[] = "aaaaaa.ceeeeiiii.nooooo.ouuuuy.y";
+    size_t length = 0;
+    for (; *text && length + 2 < SCENE_TITLE_SIZE; text++) {
+        unsigned char first = (unsigned char)text[0], second = (unsigned char)text[1];
+        char letter = first == 0xC3 && second >= 0x80 ? letters[second & 31] : '.';
+        if (letter != '.') {
+            folded[length++] = letter;
+            text++;
+        } else {
+            folded[length++] = *text == '-' || *text == '_' ? ' ' : (char)SDL_tolower(first);
         }
     }
-    return length == 0;
+    folded[length] = '\0';
+}
+
+/** @return Whether a text holds some words. @param words As #fold writes them. */
+static bool holds(const char *text, const char *words) {
+    char folded[SCENE_TITLE_SIZE];
+    fold(text, folded);
+    return strstr(folded, words) != NULL;
 }
 
 void browser_order(const Browser *browser, BrowserOrder *order) {
+    char words[SCENE_TITLE_SIZE];
+    fold(browser->filter, words);
     order->count = 0;
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < browser->list.count; i++) {
             const SceneEntry *scene = &browser->list.scenes[i];
-            bool is_found =
-                holds(scene->name, browser->filter) || holds(scene->title, browser->filter);
+            bool is_found = holds(scene->name, words) || holds(scene->title, words);
             if (is_found && scene->is_lesson == (pass == 0)) {
                 order->indices[order->count++] = i;
             }

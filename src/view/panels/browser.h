@@ -22,7 +22,10 @@ typedef struct Browser {
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
     bool is_requested;                /**< Whether the selected scene was clicked. */
-    int columns;                      /**< Thumbnails per line in the last frame; 0: none yet. */
+    bool is_close_requested;          /**< Whether the button that closes the list was clicked. */
+    size_t described; /**< Index of the scene whose title is shown: the one under the mouse, else
+                           the selected one. */
+    int columns;      /**< Thumbnails per line in the last frame; 0: none yet. */
     SDL_Texture *textures[SCENE_LIST_MAXIMUM]; /**< The thumbnails; NULL: not yet; owned. */
 } Browser;
 

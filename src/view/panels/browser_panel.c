@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 /** Height of the part above the thumbnails, in heights of letters. */
-static const float HEADER_HEIGHT = 3.8F;
+static const float HEADER_HEIGHT = 4.2F;
 /** Height of the part below them, for the title of the selected scene. */
 static const float FOOTER_HEIGHT = 3;
 /** Largest part of the room for each of both. */
@@ -34,27 +34,29 @@ static SDL_Texture *thumbnail_texture(Browser *browser, size_t index, SDL_Render
     return browser->textures[index];
 }
 
-/** Writes what is searched, or how the list is used. */
-static void show_header(const Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
+/** Writes what is searched, and shows the button that closes the list. */
+static void show_header(Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
+    const char *close = gettext("✕ close");
     char text[HEADER_SIZE];
-    if (browser->filter[0] != '\0') {
-        snprintf(text, sizeof text, gettext("Search: %s▏ (%zu found)"), browser->filter,
-                 order->count);
-    } else {
-        snprintf(text, sizeof text, "%s",
-                 gettext("Type to search. Click, or arrows and Enter. Esc closes the list."));
-    }
+    snprintf(text, sizeof text,
+             browser->filter[0] != '\0' ? gettext("Lessons and scenes: %zu found")
+                                        : gettext("Lessons and scenes"),
+             order->count);
     gui_panel_begin("scenes header", rect);
-    gui_heading(gettext("Lessons and scenes"));
-    gui_paragraph(text, browser->filter[0] != '\0' ? GUI_COLOR_ACCENT : GUI_COLOR_FAINT, 1);
+    gui_heading(text);
+    gui_at_right(close);
+    if (gui_step_button(close, gettext("back to the picture — Esc"), true, false)) {
+        browser->is_close_requested = true;
+    }
+    gui_search_box(browser->filter, gettext("Type to search; click, or arrows and Enter"));
     gui_panel_end();
 }
 
-/** Writes the title of the selected scene, or its error. */
+/** Writes the title of the scene under the mouse, else of the selected one, or its error. */
 static void show_footer(const Browser *browser, const GuiRect *rect) {
     gui_panel_begin("scenes footer", rect);
-    if (browser->selected < browser->list.count) {
-        const SceneEntry *scene = &browser->list.scenes[browser->selected];
+    if (browser->described < browser->list.count) {
+        const SceneEntry *scene = &browser->list.scenes[browser->described];
         bool is_faulty = scene->is_loaded && !scene->picture.pixels;
         gui_paragraph(scene->title, is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_TEXT, 1);
     }
@@ -75,7 +77,7 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
     float width = gui_thumbnail_width(&browser->columns);
     for (size_t i = first; i < end; i++) {
         size_t index = order->indices[i];
-        const SceneEntry *scene = &browser->list.scenes[index];
+        SceneEntry *scene = &browser->list.scenes[index];
         bool is_selected = index == browser->selected;
         bool is_faulty = scene->is_loaded && !scene->picture.pixels;
         char name[SCENE_ENTRY_NAME_SIZE];
@@ -90,7 +92,9 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
                                         .is_selected = is_selected,
                                         .scrolls_to_it = is_selected && browser->scrolls};
         int column = (int)((i - first) % (size_t)browser->columns);
-        if (gui_thumbnail((int)index, &thumbnail, column, width) == GUI_CLICKED) {
+        GuiMouse mouse = gui_thumbnail((int)index, &thumbnail, column, width, &scene->is_in_sight);
+        browser->described = mouse == GUI_IDLE ? browser->described : index;
+        if (mouse == GUI_CLICKED) {
             browser->selected = index;
             browser->is_requested = true;
         }
@@ -100,7 +104,8 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
 /** Shows the thumbnails. */
 static void show_scenes(Browser *browser, const BrowserOrder *order, const GuiRect *rect,
                         SDL_Renderer *renderer) {
-    gui_panel_begin("scenes", rect);
+    gui_gallery_begin("scenes", rect);
+    browser->described = browser->selected;
     if (order->lessons > 0) {
         gui_heading(gettext("Lessons"));
         show_part(browser, order, 0, order->lessons, renderer);

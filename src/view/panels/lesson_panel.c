@@ -79,11 +79,23 @@ static void show_list(LessonPanel *panel) {
     gui_step_list_end();
 }
 
+/** @return Whether it waits for an answer to a question that was asked before: at the end, so that
+ *  the class sees what it has learnt. */
+static bool is_asked_again(const LessonPanel *panel) {
+    const Lesson *lesson = panel->lesson;
+    if (!panel->is_asking || panel->stop >= lesson->count) {
+        return false;
+    }
+    size_t question = (size_t)lesson->steps[panel->stop].action;
+    return lesson_first_asked(lesson, question) < question;
+}
+
 /** Shows what the lesson waits for. */
 static void show_state(LessonPanel *panel) {
-    const char *label = gettext(panel->is_asking    ? N_("What do you predict?")
-                                : panel->is_waiting ? N_("go on (Space)")
-                                                    : N_("hold (Space)"));
+    const char *label = gettext(is_asked_again(panel) ? N_("Once more: what do you predict now?")
+                                : panel->is_asking    ? N_("What do you predict?")
+                                : panel->is_waiting   ? N_("go on (Space)")
+                                                      : N_("hold (Space)"));
     gui_same_line(label);
     if (panel->is_asking) {
         gui_heading(label);
@@ -92,7 +104,7 @@ static void show_state(LessonPanel *panel) {
     }
 }
 
-/** Shows buttons and title. */
+/** Shows buttons, and the title unless a question needs the room. */
 static void show_controls(LessonPanel *panel) {
     static const char back[] = "\xe2\x97\x80", on[] = "\xe2\x96\xb6\xe2\x96\xb6";
     const char *title = localized(&panel->lesson->title);
@@ -105,8 +117,10 @@ static void show_controls(LessonPanel *panel) {
     }
     show_list(panel);
     show_state(panel);
-    gui_same_line(title);
-    gui_heading(title);
+    if (!panel->is_asking) { // There it would push the answers out of sight.
+        gui_same_line(title);
+        gui_heading(title);
+    }
 }
 
 /** Shows the answers to a question. @param is_explained Whether the right one is shown. */
@@ -137,6 +151,7 @@ static void show_question(LessonPanel *panel, const LessonStep *step) {
         const char *verdict = answer == 0                     ? ""
                               : answer == question->right + 1 ? gettext("Right.")
                                                               : gettext("Not what you predicted.");
+        gui_paragraph(localized(&question->text), GUI_COLOR_FAINT, 1);
         snprintf(line, sizeof line, "%s%s%s", verdict, *verdict ? " " : "",
                  localized(&question->because));
         gui_paragraph(line, GUI_COLOR_TEXT, 1);
@@ -146,27 +161,50 @@ static void show_question(LessonPanel *panel, const LessonStep *step) {
 
 /* --- the end card ----------------------------------------------------------------------------- */
 
-/** Shows the answers to a question that was asked before and after. */
-static void show_pair(const LessonPanel *panel, size_t first, size_t last) {
+/** Shows the answer to a question. @param when Before it: when it was asked; empty: it was asked
+ *  once. */
+static void show_answer(const LessonPanel *panel, size_t index, const char *when) {
+    const LessonQuestion *question = &panel->lesson->questions[index];
+    char line[LINE_SIZE];
+    int answer = panel->answers[index];
+    bool is_right = answer == question->right + 1;
+    snprintf(line, sizeof line, "%s%s%s%s", when, *when ? " " : "",
+             answer == 0 ? "\xe2\x80\x93"
+             : is_right  ? "\xe2\x9c\x93 "
+                         : "\xe2\x9c\x97 ",
+             answer > 0 && answer <= question->choice_count
+                 ? localized(&question->choices[answer - 1])
+                 : "");
+    gui_item(line);
+}
+
+/** @return The question that asks again what another has asked; that one: there is none. */
+static size_t asked_last(const Lesson *lesson, size_t first) {
+    size_t last = first;
+    for (size_t i = first + 1; i < lesson->question_count; i++) {
+        last = lesson_first_asked(lesson, i) == first ? i : last;
+    }
+    return last;
+}
+
+/** Shows a question with what was answered, before and now if it was asked twice, and what is right
+ *  unless the last answer was. */
+static void show_answered(const LessonPanel *panel, size_t first, size_t last) {
     const LessonQuestion *question = &panel->lesson->questions[last];
-    const size_t asked[] = {first, last};
     char line[LINE_SIZE];
     gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
-    for (size_t i = 0; i < 2; i++) {
-        int answer = panel->answers[asked[i]];
-        bool is_right = answer == panel->lesson->questions[asked[i]].right + 1;
-        snprintf(line, sizeof line, "%s %s%s", i == 0 ? gettext("before:") : gettext("now:"),
-                 answer == 0 ? "\xe2\x80\x93"
-                 : is_right  ? "\xe2\x9c\x93 "
-                             : "\xe2\x9c\x97 ",
-                 answer > 0 && answer <= question->choice_count
-                     ? localized(&panel->lesson->questions[asked[i]].choices[answer - 1])
-                     : "");
+    show_answer(panel, first, first < last ? gettext("before:") : "");
+    if (first < last) {
+        show_answer(panel, last, gettext("now:"));
+    }
+    if (panel->answers[last] != question->right + 1) {
+        snprintf(line, sizeof line, "%s %s", gettext("right is:"),
+                 localized(&question->choices[question->right]));
         gui_item(line);
     }
 }
 
-/** Shows how many predictions were right, and what has changed. */
+/** Shows how many predictions were right, and each question with its answers. */
 static void show_score(const LessonPanel *panel) {
     char line[LINE_SIZE];
     int asked = 0, right = lesson_panel_score(panel->lesson, panel->answers, &asked);
@@ -178,9 +216,10 @@ static void show_score(const LessonPanel *panel) {
         gui_heading(line);
     }
     for (size_t i = 0; i < panel->lesson->question_count; i++) {
-        size_t first = lesson_first_asked(panel->lesson, i);
-        if (first < i && (panel->answers[first] > 0 || panel->answers[i] > 0)) {
-            show_pair(panel, first, i);
+        size_t last = asked_last(panel->lesson, i);
+        bool is_first = lesson_first_asked(panel->lesson, i) == i;
+        if (is_first && (panel->answers[i] > 0 || panel->answers[last] > 0)) {
+            show_answered(panel, i, last);
         }
     }
 }

@@ -190,8 +190,15 @@ static void show_material(const WidgetContext *context) {
     }
 }
 
+/** @return Whether a button of the inspector would do anything. */
+static bool is_possible(const ObjectInspectorContent *content, InspectorRequest request) {
+    return request == INSPECTOR_UNDO   ? content->can_undo
+           : request == INSPECTOR_REDO ? content->can_redo
+                                       : true;
+}
+
 /** Shows the buttons. */
-static void show_buttons(ObjectInspector *inspector) {
+static void show_buttons(ObjectInspector *inspector, const ObjectInspectorContent *content) {
     static const struct {
         InspectorRequest request;
         const char *label;
@@ -204,9 +211,9 @@ static void show_buttons(ObjectInspector *inspector) {
         {INSPECTOR_RAYS, N_("rays of this pixel"), N_("of the pixel that was clicked")},
     };
     for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
-        bool is_possible = buttons[i].request != INSPECTOR_RAYS || inspector->has_pixel;
-        if (is_possible &&
-            gui_inspector_button(gettext(buttons[i].label), gettext(buttons[i].tooltip))) {
+        bool is_shown = buttons[i].request != INSPECTOR_RAYS || inspector->has_pixel;
+        if (is_shown && gui_inspector_button(gettext(buttons[i].label), gettext(buttons[i].tooltip),
+                                             is_possible(content, buttons[i].request))) {
             inspector->request = buttons[i].request;
         }
     }
@@ -233,7 +240,7 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
         inspector->request = INSPECTOR_CLOSE;
     }
     if (!content->is_read_only) {
-        show_buttons(inspector);
+        show_buttons(inspector, content);
     }
     int own = own_row_count(object.keyword);
     show_fields(&context, 0, own);

@@ -41,6 +41,8 @@ typedef struct ObjectInspectorContent {
     const EditHistory *history; /**< Edits, perhaps newer than the scene. */
     bool is_light_moved;        /**< Whether the light was moved since: the scene has its place. */
     bool is_read_only;          /**< Whether a lesson plays. */
+    bool can_undo;              /**< Whether a change can be taken back. */
+    bool can_redo;              /**< Whether one can be done again. */
     float top;                  /**< Upper edge at first, pixels of the window. */
 } ObjectInspectorContent;
 

@@ -72,7 +72,7 @@ static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
         append(text, gettext("colour %d %d %d of 255"), rgb[0], rgb[1], rgb[2]);
     } else {
         layer_value_text(reading->layer, reading->values, value);
-        append(text, gettext("%s: %s"), gettext(layer_name(reading->layer)), value);
+        append(text, "%s%s%s", gettext(layer_name(reading->layer)), gettext(": "), value);
     }
 }
 

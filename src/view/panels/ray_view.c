@@ -10,16 +10,22 @@ enum { REVEAL_FRAMES = 4 };
 static const double TURN_PER_SECOND = 45;
 /** Factor of the zoom per second of a held key. */
 static const double ZOOM_PER_SECOND = 2;
-/** Size of the column of numbers and of the inset, fraction of the window. */
-static const double COLUMN_FRACTION = 0.36;
+/** Width of the column of numbers, fraction of the window. */
+static const double COLUMN_FRACTION = 0.4;
+/** Size of the inset, fraction of the window. */
+static const double INSET_FRACTION = 0.3;
 /** Width of the drawing beside the view, fraction of both. */
 static const double PANE_FRACTION = 0.5;
 /** Rows of text that fill the height of the window, as everywhere in it. */
 static const double ROWS_PER_WINDOW = 30;
 /** Smallest height of letters, pixels. */
 static const double TEXT_SIZE_MINIMUM = 14;
-/** Height of the formulas, fraction of the window. */
-static const double FORMULAS_FRACTION = 0.3;
+/** Height of the formulas, fraction of the window: they are what the view is opened for. */
+static const double FORMULAS_FRACTION = 0.42;
+/** Height of the buttons until it is known, fraction of the window. */
+static const double BUTTONS_FRACTION = 0.06;
+/** Difference of heights of the buttons that is only rounding. */
+static const double BUTTONS_TOLERANCE = 0.004;
 /** Seconds in which a ray flies along its path. */
 static const double FLIGHT_SECONDS = 0.4;
 /** Seconds from one picture of a flight to the next: a frame of a 60 Hz screen. */
@@ -133,6 +139,14 @@ void ray_view_toggle_pane(RayView *ray_view, RayPane pane) {
     redraw_rays(ray_view);
 }
 
+void ray_view_set_buttons(RayView *ray_view, double fraction) {
+    if (fabs(fraction - ray_view->buttons_fraction) > BUTTONS_TOLERANCE) {
+        ray_view->buttons_fraction = fraction;
+        ray_view_reset_camera(ray_view); // The view has another height.
+        redraw_rays(ray_view);
+    }
+}
+
 void ray_view_turn_arrows(RayView *ray_view) {
     ray_view->is_along_light = !ray_view->is_along_light;
     redraw_rays(ray_view);
@@ -180,7 +194,7 @@ void ray_view_stop(RayView *ray_view) {
 
 /** @return Rectangle of the inset with the picture. */
 static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
-    SDL_Rect rect = {.w = (int)(COLUMN_FRACTION * area->w), .h = (int)(COLUMN_FRACTION * area->h)};
+    SDL_Rect rect = {.w = (int)(INSET_FRACTION * area->w), .h = (int)(INSET_FRACTION * area->h)};
     if (ray_view->width > 0) { // As large as fits, with the shape of the picture.
         double scale = SDL_min((double)rect.w / ray_view->width, (double)rect.h / ray_view->height);
         rect.w = (int)(scale * ray_view->width);
@@ -192,11 +206,14 @@ static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
 }
 
 RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
+    const double buttons =
+        ray_view->buttons_fraction > 0 ? ray_view->buttons_fraction : BUTTONS_FRACTION;
     const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
-              formulas = (int)(FORMULAS_FRACTION * area->h);
+              top = (int)(buttons * area->h + 0.5), formulas = (int)(FORMULAS_FRACTION * area->h);
     RayViewLayout layout = {
-        .formulas = {area->x, area->y, width, formulas},
-        .view = {area->x, area->y + formulas, width, SDL_max(1, area->h - formulas)},
+        .buttons = {area->x, area->y, area->w, top},
+        .formulas = {area->x, area->y + top, width, formulas},
+        .view = {area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)},
         .inset = inset_rect(ray_view, area)};
     if (ray_view->pane != RAY_PANE_NONE) {
         layout.pane = layout.view;
@@ -204,7 +221,8 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         layout.pane.x += layout.view.w;
         layout.pane.w = width - layout.view.w;
     }
-    layout.list = (SDL_Rect){area->x + width, area->y, area->w - width, layout.inset.y - area->y};
+    layout.list = (SDL_Rect){area->x + width, area->y + top, area->w - width,
+                             SDL_max(1, layout.inset.y - area->y - top)};
     return layout;
 }
 

@@ -59,6 +59,8 @@ typedef struct RayView {
     RayFormulas formulas;                   /**< Formulas of the chosen ray. */
     RayFormulas sum;                        /**< Its sum. */
     RayViewRequest request;                 /**< What the user has clicked on. */
+    double buttons_fraction; /**< Height of the row of buttons, fraction of the view of rays; 0: it
+                                  was not shown yet. */
 } RayView;
 
 /** The picture whose rays are shown. */
@@ -146,6 +148,7 @@ double ray_view_timeout(const RayView *ray_view, double now);
 
 /** Where the parts of the view are. */
 typedef struct RayViewLayout {
+    SDL_Rect buttons;  /**< The row of buttons at the top. */
     SDL_Rect view;     /**< The second camera's picture. */
     SDL_Rect pane;     /**< The drawing beside it; empty: there is none. */
     SDL_Rect formulas; /**< The formulas of the chosen ray, above it. */
@@ -182,6 +185,9 @@ RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view);
 
 /** @return How far the chosen ray has flown, 0 to 1; 1: it is still. */
 double ray_view_flight(const RayView *ray_view, double now);
+
+/** Lays the view out below its buttons. @param fraction Their height, fraction of the view. */
+void ray_view_set_buttons(RayView *ray_view, double fraction);
 
 /** Writes heading, formulas and sum. @param x Column of the pixel. */
 void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, int y);

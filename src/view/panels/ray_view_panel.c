@@ -7,6 +7,7 @@
 
 #include "base/language.h"
 #include "view/gui/gui.h"
+#include "view/panels/tooltip.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -17,6 +18,17 @@ enum { ROWS_MAXIMUM = 400 };
 enum { ROW_SIZE = 128 };
 /** Most steps that a row is moved to the right. */
 enum { INDENT_MAXIMUM = 6 };
+/** Largest part of the view for the row of buttons. */
+static const double BUTTONS_FRACTION_MAXIMUM = 0.3;
+
+/** Adds how the colour of the pixel becomes one of the screen. @param text How, in words. */
+static void add_screen_color(RayFormulas *sum, const char *text, const int code[3]) {
+    if (sum->count < RAY_FORMULAS_MAXIMUM) {
+        RayFormula *last = &sum->items[sum->count++];
+        snprintf(last->label, sizeof last->label, "%s", gettext("on the screen"));
+        snprintf(last->text, sizeof last->text, "%s %d %d %d", text, code[0], code[1], code[2]);
+    }
+}
 
 void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, int y) {
     Encoder encoder;
@@ -25,33 +37,46 @@ void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, in
     const RayFormulaInput formulas = {input->scene, &ray_view->ray_tree,
                                       settings->trace.methods == 0};
     encoder_init(&encoder, (Encoding)settings->encoding);
+    const int code[3] = {encoder_encode(&encoder, (float)color->red),
+                         encoder_encode(&encoder, (float)color->green),
+                         encoder_encode(&encoder, (float)color->blue)};
     snprintf(ray_view->heading, sizeof ray_view->heading, gettext("Pixel %d %d: #%02x%02x%02x"), x,
-             y, (unsigned)encoder_encode(&encoder, (float)color->red),
-             (unsigned)encoder_encode(&encoder, (float)color->green),
-             (unsigned)encoder_encode(&encoder, (float)color->blue));
+             y, (unsigned)code[0], (unsigned)code[1], (unsigned)code[2]);
     ray_formulas_write(&formulas, ray_view->selected, &ray_view->formulas);
     ray_sum_write(&formulas, ray_view->selected, &ray_view->sum);
+    if (ray_view->selected == 0) {
+        add_screen_color(&ray_view->sum,
+                         settings->encoding == ENCODING_SRGB ? gettext("255 × its sRGB curve =")
+                                                             : gettext("255 × it ="),
+                         code);
+    }
 }
 
 /* --- the list --------------------------------------------------------------------------------- */
 
-/** Describes a ray: its kind, and what it hits. */
-static void describe_ray(const RayTreeNode *ray, const Scene *scene, size_t index,
+/** Describes a ray: its kind, its share of its parent's light, and what it hits. */
+static void describe_ray(const RayTree *tree, const Scene *scene, size_t index,
                          char text[ROW_SIZE]) {
-    static const char *const kinds[] = {[RAY_CAMERA] = N_("camera: %s"),
-                                        [RAY_REFLECTION] = N_("mirrored: %s"),
-                                        [RAY_REFRACTION] = N_("refracted: %s")};
+    static const char *const kinds[] = {[RAY_REFLECTION] = N_("mirrored %.3g %%: %s"),
+                                        [RAY_REFRACTION] = N_("refracted %.3g %%: %s")};
+    const RayTreeNode *ray = &tree->nodes[index];
     char name[RAY_HIT_NAME_SIZE];
     int length = snprintf(text, ROW_SIZE, "%zu  ", index);
     char *rest = text + length;
     size_t size = ROW_SIZE - (size_t)length;
     ray_hit_name(scene, ray, name);
-    if (ray->kind != RAY_SHADOW) {
-        snprintf(rest, size, gettext(kinds[ray->kind]), name);
+    if (ray->kind == RAY_CAMERA) {
+        snprintf(rest, size, gettext("camera: %s"), name);
+    } else if (ray->kind != RAY_SHADOW) {
+        double share = fmax(ray->weight.red, fmax(ray->weight.green, ray->weight.blue));
+        snprintf(rest, size, gettext(kinds[ray->kind]), 100 * share, name);
     } else if (ray->shape >= 0) {
         snprintf(rest, size, gettext("lamp %d: behind %s"), ray->light + 1, name);
     } else {
-        snprintf(rest, size, ray->is_hit ? gettext("lamp %d: dark") : gettext("lamp %d: lit"),
+        snprintf(rest, size,
+                 ray->is_hit                 ? gettext("lamp %d: dark")
+                 : ray_is_through_glass(ray) ? gettext("lamp %d: lit through glass")
+                                             : gettext("lamp %d: lit"),
                  ray->light + 1);
     }
 }
@@ -70,7 +95,7 @@ static void show_row(RayView *ray_view, const Scene *scene, size_t index) {
     unsigned char rgb[3];
     char text[ROW_SIZE];
     split_color(ray_style(ray)->color, rgb);
-    describe_ray(ray, scene, index, text);
+    describe_ray(&ray_view->ray_tree, scene, index, text);
     if (gui_list_row((int)index, text, SDL_min(ray->depth, INDENT_MAXIMUM), rgb, is_selected,
                      is_selected && ray_view->frames_to_reveal > 0)) {
         ray_view->request.has_ray = true;
@@ -109,12 +134,12 @@ static void show_kinds(RayView *ray_view, const Help *help) {
                           [RAY_REFLECTION] = {"mirrored rays", N_("mirrored"), 1},
                           [RAY_REFRACTION] = {"refracted rays", N_("refracted"), 2}};
     for (size_t i = 0; i < RAY_KINDS; i++) {
-        char key[ROW_SIZE] = "";
+        char tooltip[TOOLTIP_SIZE];
         unsigned char rgb[3];
         split_color(i == RAY_CAMERA ? RAY_MARK_EYE : ray_styles()[kinds[i].style].color, rgb);
-        help_key_names(command_find(help->commands, kinds[i].command), help->by_letter, key,
-                       sizeof key);
-        if (gui_list_check(gettext(kinds[i].label), rgb, key, !(ray_view->hidden_kinds >> i & 1))) {
+        if (gui_list_check(gettext(kinds[i].label), rgb,
+                           tooltip_write(help, kinds[i].command, tooltip),
+                           !(ray_view->hidden_kinds >> i & 1))) {
             ray_view->request.command = kinds[i].command;
         }
     }
@@ -142,9 +167,9 @@ static GuiPoint size_of(const SDL_Rect *rect) {
     return (GuiPoint){(float)rect->w, (float)rect->h};
 }
 
-/** Shows the list of rays, and the sum below it. */
-static void show_list(RayView *ray_view, const Scene *scene, const Help *help,
-                      const SDL_Rect *rect) {
+/** Shows the list of rays, and the sum below it. @param is_new Whether another ray was just chosen.
+ */
+static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rect, bool is_new) {
     SDL_Rect upper = *rect, lower = *rect;
     char text[ROW_SIZE];
     upper.h = rect->h * 3 / 5;
@@ -152,51 +177,55 @@ static void show_list(RayView *ray_view, const Scene *scene, const Help *help,
     lower.h -= upper.h;
     gui_list_begin("rays", corner_of(&upper), size_of(&upper));
     gui_heading(ray_view->heading);
-    show_kinds(ray_view, help);
     show_rows(ray_view, scene);
     gui_panel_end();
     gui_list_begin("sum", corner_of(&lower), size_of(&lower));
+    if (is_new) {
+        gui_scroll_to_top();
+    }
     snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
     gui_heading(text);
     show_formulas(&ray_view->sum);
     gui_panel_end();
 }
 
-/** Shows the buttons of the drawings beside the view, and of the arrows. */
-static void show_drawings(RayView *ray_view, const Help *help) {
+/** Shows the row of buttons: how to leave, the rays one by one, the drawings beside the view, and
+ * the kinds of rays. */
+static void show_buttons(RayView *ray_view, const Help *help, const SDL_Rect *area) {
     const struct {
         const char *command; /**< What the button does. */
         const char *label;   /**< In English. */
         bool is_on;          /**< Whether it is shown. */
-    } buttons[] = {{"ray plan", N_("plan"), ray_view->pane == RAY_PANE_PLAN},
+    } buttons[] = {{"rays", N_("✕ close"), false},
+                   {"fly ray", N_("next ray"), false},
+                   {"ray plan", N_("plan"), ray_view->pane == RAY_PANE_PLAN},
                    {"ray march", N_("march"), ray_view->pane == RAY_PANE_MARCH},
                    {"hit microscope", N_("microscope"), ray_view->pane == RAY_PANE_MICROSCOPE},
-                   {"arrows", N_("arrows as light"), ray_view->is_along_light}};
+                   {"arrows", N_("arrows"), ray_view->is_along_light}};
+    gui_row_begin("ray buttons", (GuiPoint){(float)area->x, (float)area->y}, (float)area->w);
     for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
-        char key[ROW_SIZE] = "";
-        help_key_names(command_find(help->commands, buttons[i].command), help->by_letter, key,
-                       sizeof key);
-        if (gui_button(gettext(buttons[i].label), key, buttons[i].is_on)) {
+        char tooltip[TOOLTIP_SIZE];
+        if (gui_button(gettext(buttons[i].label), tooltip_write(help, buttons[i].command, tooltip),
+                       buttons[i].is_on)) {
             ray_view->request.command = buttons[i].command;
         }
     }
+    show_kinds(ray_view, help);
+    double fraction = (double)gui_bar_end() / SDL_max(1, area->h);
+    ray_view_set_buttons(ray_view, SDL_min(fraction, BUTTONS_FRACTION_MAXIMUM));
 }
 
-/** Shows the formulas of the chosen ray, and how to leave. */
-static void show_chosen(RayView *ray_view, const Help *help, const SDL_Rect *rect) {
+/** Shows the formulas of the chosen ray. @param is_new Whether it was just chosen. */
+static void show_chosen(const RayView *ray_view, const SDL_Rect *rect, bool is_new) {
     const RayTreeNode *ray = &ray_view->ray_tree.nodes[ray_view->selected];
     char text[ROW_SIZE];
     snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
              gettext(ray_style(ray)->name));
     gui_list_begin("formulas", corner_of(rect), size_of(rect));
+    if (is_new) {
+        gui_scroll_to_top();
+    }
     gui_heading(text);
-    if (gui_button(gettext("next ray"), gettext("the next ray flies: Space"), false)) {
-        ray_view->request.command = "fly ray";
-    }
-    if (gui_button(gettext("back to the picture"), gettext("v, or Esc"), false)) {
-        ray_view->request.command = "rays";
-    }
-    show_drawings(ray_view, help);
     show_formulas(&ray_view->formulas);
     gui_panel_end();
 }
@@ -254,6 +283,8 @@ void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *he
     RayDrawing drawing = ray_view_drawing(ray_view, &pixels);
     show_flight(&drawing, &layout.view, scale, ray_view_flight(ray_view, clock_now_seconds()));
     show_numbers(&drawing, &layout.view, scale);
-    show_list(ray_view, scene, help, &layout.list);
-    show_chosen(ray_view, help, &layout.formulas);
+    const bool is_new = ray_view->frames_to_reveal > 0;
+    show_list(ray_view, scene, &layout.list, is_new);
+    show_chosen(ray_view, &layout.formulas, is_new);
+    show_buttons(ray_view, help, area);
 }

@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene.h"
+#include "view/panels/tooltip.h"
 
 #include <libintl.h>
 #include <math.h>
@@ -30,31 +31,31 @@ static void request(Toolbar *toolbar, const char *command, int repetitions) {
     }
 }
 
-/** Writes what a command does, and its keys. @return The text. */
-static const char *tooltip(const ToolbarContent *content, const char *name,
-                           char text[TOOLTIP_SIZE]) {
-    const Command *command = command_find(content->help->commands, name);
-    char keys[GUI_LABEL_SIZE] = "";
-    text[0] = '\0';
-    if (command && command->help) {
-        help_key_names(command, content->help->by_letter, keys, sizeof keys);
-        snprintf(text, TOOLTIP_SIZE, "%s — %s", gettext(command->help), keys);
-    }
-    return text;
-}
-
 /** A button that issues a command. @param is_on Whether what it shows or hides is on. */
 static void command_button(Toolbar *toolbar, const ToolbarContent *content, const char *label,
                            const char *command, bool is_on) {
     char text[TOOLTIP_SIZE];
-    request(toolbar, command, gui_button(label, tooltip(content, command, text), is_on));
+    request(toolbar, command,
+            gui_button(label, tooltip_write(content->help, command, text), is_on));
 }
 
-/** A list whose next entry a command chooses, cyclically. */
-static void cyclic_choice(Toolbar *toolbar, const ToolbarContent *content, const char *command,
-                          const char *const *names, int count, int selected) {
+/** A button that issues a command, dimmed while that would do nothing. */
+static void possible_button(Toolbar *toolbar, const ToolbarContent *content, const char *label,
+                            const char *command, bool is_possible) {
     char text[TOOLTIP_SIZE];
-    int chosen = gui_choice(command, names, count, selected, tooltip(content, command, text));
+    gui_same_line(label);
+    request(
+        toolbar, command,
+        gui_step_button(label, tooltip_write(content->help, command, text), is_possible, false));
+}
+
+/** A list whose next entry a command chooses, cyclically. @param explained See #gui_choice. */
+static void cyclic_choice(Toolbar *toolbar, const ToolbarContent *content, const char *command,
+                          const char *const *names, const char *const *explained, int count,
+                          int selected) {
+    char text[TOOLTIP_SIZE];
+    int chosen = gui_choice(command, names, explained, count, selected,
+                            tooltip_write(content->help, command, text));
     request(toolbar, command, chosen < 0 ? 0 : (chosen - selected + count) % count);
 }
 
@@ -62,7 +63,8 @@ static void cyclic_choice(Toolbar *toolbar, const ToolbarContent *content, const
 static void number(Toolbar *toolbar, const ToolbarContent *content, const char *const values[2],
                    const char *less, const char *more) {
     char text[TOOLTIP_SIZE];
-    int step = gui_stepper(more, values[0], values[1], tooltip(content, more, text));
+    int step = gui_stepper(more, values[0], values[1],
+                           tooltip_write_pair(content->help, more, less, ", ", text));
     request(toolbar, step < 0 ? less : more, step != 0);
 }
 
@@ -81,9 +83,10 @@ static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
     for (int i = 0; i < LAYER_COUNT; i++) {
         names[i] = gettext(layer_name((Layer)i));
     }
-    const char *command = toolbar_layer_command(content->layer);
-    int chosen = gui_choice("layer", names, LAYER_COUNT, (int)content->layer,
-                            tooltip(content, command, text));
+    const char *first = toolbar_layer_command(LAYER_SHADED),
+               *last = toolbar_layer_command(LAYER_ACNE);
+    int chosen = gui_choice("layer", names, names, LAYER_COUNT, (int)content->layer,
+                            tooltip_write_pair(content->help, first, last, " … ", text));
     if (chosen >= 0) {
         request(toolbar, toolbar_layer_command((Layer)chosen), 1);
     }
@@ -92,14 +95,19 @@ static void layer_choice(Toolbar *toolbar, const ToolbarContent *content) {
 /** The offset strategy, and its epsilon as a slider that goes by factors of two. */
 static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const TraceSettings *trace = &content->settings->trace;
-    cyclic_choice(toolbar, content, "offset", offset_strategy_names, OFFSET_BOUND + 1,
+    const char *const explained[OFFSET_BOUND + 1] = {
+        [OFFSET_NONE] = gettext("none: rays start at the surface, acne is seen"),
+        [OFFSET_FIXED] = gettext("fixed: rays start epsilon above the surface"),
+        [OFFSET_BOUND] = gettext("bound: as far above it as rounding can reach")};
+    cyclic_choice(toolbar, content, "offset", offset_strategy_names, explained, OFFSET_BOUND + 1,
                   (int)trace->offset);
     char text[TOOLTIP_SIZE], label[LABEL_SIZE];
     const double shown = fmax(trace->epsilon, EPSILON_LOW);
     double epsilon = shown;
     snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
-    if (gui_log_slider("epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
-                       tooltip(content, "epsilon twice", text))) {
+    if (gui_log_slider(
+            "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
+            tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
         int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
     }
@@ -111,7 +119,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const RenderSettings *settings = content->settings;
     const char *lights[LIGHTING_MODE_COUNT];
     char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
-    cyclic_choice(toolbar, content, "engine", types, NUMBER_TYPE_COUNT,
+    cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
     snprintf(depth, sizeof depth, SIGN_DEPTH " %d", settings->trace.depth);
     snprintf(deepest, sizeof deepest, SIGN_DEPTH " %d", DEPTH_MAXIMUM);
@@ -122,7 +130,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));
     }
-    cyclic_choice(toolbar, content, "light mode", lights, LIGHTING_MODE_COUNT,
+    cyclic_choice(toolbar, content, "light mode", lights, lights, LIGHTING_MODE_COUNT,
                   (int)settings->lighting);
 }
 
@@ -132,11 +140,12 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     gui_bar_begin(toolbar->is_folded);
     command_button(toolbar, content, "☰", "toolbar", !toolbar->is_folded);
     if (!toolbar->is_folded) {
-        command_button(toolbar, content, gettext("scenes"), "scenes", false);
+        command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
         layer_choice(toolbar, content);
         offset_widgets(toolbar, content);
         setting_widgets(toolbar, content);
-        cyclic_choice(toolbar, content, "split", splits, SPLIT_COUNT, (int)content->split);
+        command_button(toolbar, content, "↺", "as at first", false);
+        cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
         if (content->is_animated) {
             command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
                            content->is_running);
@@ -146,9 +155,8 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
         command_button(toolbar, content, gettext("magnifier"), "magnifier",
                        content->shows_magnifier);
-        command_button(toolbar, content, "↩", "undo", false);
-        command_button(toolbar, content, "↪", "redo", false);
-        command_button(toolbar, content, "↺", "as at first", false);
+        possible_button(toolbar, content, "↩", "undo", content->can_undo);
+        possible_button(toolbar, content, "↪", "redo", content->can_redo);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
         command_button(toolbar, content, "●", "record", content->is_recording);
         command_button(toolbar, content, "?", "help", content->help->is_open);

@@ -13,9 +13,6 @@
 #include "view/state/settings_override.h"
 #include "view/window/split_view.h"
 
-/** Bytes of a tooltip with the final zero. */
-enum { TOOLTIP_SIZE = 256 };
-
 /** The bar. Starts as `{0}`: open. */
 typedef struct Toolbar {
     bool is_folded;      /**< Whether only the button that unfolds it is shown. */
@@ -37,6 +34,9 @@ typedef struct ToolbarContent {
     bool is_animated;               /**< Whether the scene depends on time. */
     bool is_running;                /**< Whether its time runs. */
     bool is_recording;              /**< Whether a lesson is recorded. */
+    bool shows_scenes;              /**< Whether the list of scenes is shown. */
+    bool can_undo;                  /**< Whether a change can be taken back. */
+    bool can_redo;                  /**< Whether one can be done again. */
 } ToolbarContent;
 
 /** Shows the bar, and sets #Toolbar.command if the user requests one. */

@@ -18,7 +18,7 @@ const FRENCH = {
   "it shows the layer %s": "elle montre la couche %s",
   "Loading …": "Chargement…",
   "The link is in the clipboard: it carries scene, view, layer and settings.":
-    "Le lien est dans le presse-papiers\u00a0: il porte la scène, la vue, la couche et les réglages.",
+    "Le lien est dans le presse-papiers\u00a0: il porte la scène, la vue, le calque et les réglages.",
   "Copy this link:": "Copiez ce lien\u00a0:",
   "This browser cannot run the program: it lacks WebAssembly with SIMD. Browsers of 2023 and later have it.":
     "Ce navigateur ne peut pas exécuter le programme\u00a0: il lui manque WebAssembly avec SIMD, qu’ont les navigateurs depuis 2023.",
@@ -29,10 +29,10 @@ const FRENCH = {
   "The scene is too long for a link. Send its file instead.": "La scène est trop longue pour un lien. Envoyez plutôt son fichier.",
   "The link is refused: it is too long.": "Le lien est refusé\u00a0: il est trop long.",
   "The link is refused: it unpacks to more than 1 MB.": "Le lien est refusé\u00a0: décompressé, il dépasse 1 Mo.",
-  "The link is damaged: it holds signs that no link has.": "Le lien est abîmé\u00a0: il contient des signes qu’aucun lien n’a.",
-  "The link is damaged: a part of it is missing.": "Le lien est abîmé\u00a0: il en manque une partie.",
-  "The link is damaged: it holds no scene.": "Le lien est abîmé\u00a0: il ne contient pas de scène.",
-  "The link is damaged: its view is left out.": "Le lien est abîmé\u00a0: sa vue est laissée de côté.",
+  "The link is damaged: it holds signs that no link has.": "Le lien est endommagé\u00a0: il contient des signes qu’aucun lien n’a.",
+  "The link is damaged: a part of it is missing.": "Le lien est endommagé\u00a0: il en manque une partie.",
+  "The link is damaged: it holds no scene.": "Le lien est endommagé\u00a0: il ne contient pas de scène.",
+  "The link is damaged: its view is left out.": "Le lien est endommagé\u00a0: sa vue est ignorée.",
   "%d threads, SIMD": "%d fils d’exécution, SIMD",
   "one thread, SIMD": "un seul fil d’exécution, SIMD",
   "Several threads need https or localhost.": "Plusieurs fils demandent https ou localhost.",

@@ -1,0 +1,416 @@
+/**
+ * @file
+ * @brief Tests of the window's commands, as keys and buttons run them: what each changes, in the
+ * settings, in the picture, in what lies over it.
+ */
+#include "app_window.h"
+
+#include "view/gui/typeface.h"
+
+/** A scene with two lights, glass, a mirror and a field that is marched to. */
+static const char SCENE[] =
+    "camera { position = {0, 0, 6}, look_at = {0, 0, 0} }\n"
+    "light { position = {1, 2, 3} }\n"
+    "light { position = {-1, 2, 3} }\n"
+    "sphere { center = {0, 0, 0}, radius = 1, material = material { reflectivity = 0.5 } }\n"
+    "sdf { (distance.sphere { radius = 0.5 }):translate { 2, 0, 0 } }\n";
+
+/** Opens the window, which has its widgets after the first picture. @return 0 if it is open. */
+static int set_up(void **state) {
+    (void)state;
+    return open_app_window(SCENE, "");
+}
+
+/** Runs a command as its key does. */
+static void run(const char *name) {
+    const Command *command = command_find(command_table, name);
+    assert_non_null(command);
+    command_issue(&opened.app, command, clock_now_seconds());
+}
+
+/** Runs a command, and waits for the picture. */
+static void run_and_settle(const char *name) {
+    run(name);
+    assert_true(settle());
+}
+
+/** @return The settings that are asked for. */
+static RenderSettings requested(void) {
+    return window_requested_settings(&opened.app.window);
+}
+
+/** Runs the window until something is so; fails after a minute. */
+#define until(condition)                                                                           \
+    do {                                                                                           \
+        double start_ = clock_now_seconds();                                                       \
+        while (!(condition)) {                                                                     \
+            settle();                                                                              \
+            assert_true(clock_now_seconds() - start_ < 60);                                        \
+        }                                                                                          \
+    } while (0)
+
+/** Settings change by steps, there and back; all are reset at once. */
+static void test_settings(void **state) {
+    (void)state;
+    const RenderSettings first = requested();
+    static const char *const pairs[][2] = {
+        {"offset", "offset back"},         {"engine", "engine back"},
+        {"light mode", "light mode back"}, {"deeper", "less deep"},
+        {"samples twice", "samples half"}, {"methods", "methods back"},
+        {"epsilon half", "epsilon twice"}, {"epsilon ten times", "epsilon tenth"},
+        {"pixel corners", "pixel corners"}};
+    for (size_t i = 0; i < COUNT(pairs); i++) {
+        run_and_settle(pairs[i][0]);
+        RenderSettings changed = requested();
+        bool is_changed = changed.engine != first.engine || changed.samples != first.samples ||
+                          changed.lighting != first.lighting ||
+                          changed.trace.depth != first.trace.depth ||
+                          changed.trace.offset != first.trace.offset ||
+                          changed.trace.epsilon != first.trace.epsilon ||
+                          changed.trace.pixel_point != first.trace.pixel_point;
+        if (!is_changed) {
+            fail_msg("%s changes nothing", pairs[i][0]);
+        }
+        run_and_settle(pairs[i][1]);
+        run("as at first");
+        assert_true(settle());
+        changed = requested();
+        assert_ptr_equal(changed.engine, first.engine);
+        assert_int_equal(changed.samples, first.samples);
+        assert_int_equal(changed.trace.depth, first.trace.depth);
+        assert_true(changed.trace.epsilon == first.trace.epsilon);
+    }
+    run("deeper");
+    assert_int_equal(requested().trace.depth, first.trace.depth + 1);
+    run("samples twice");
+    assert_int_equal(requested().samples, 2 * first.samples);
+    run("pixel corners");
+    assert_status("rays go ");
+}
+
+/** Each layer is drawn when its key asks for it; Esc leaves it. */
+static void test_layers(void **state) {
+    (void)state;
+    static const struct {
+        const char *name; /**< Of the command. */
+        Layer layer;      /**< What it shows. */
+    } layers[] = {{"layer normals", LAYER_NORMALS}, {"layer distance", LAYER_DISTANCE},
+                  {"layer shapes", LAYER_SHAPES},   {"layer places", LAYER_UV},
+                  {"layer rays", LAYER_RAYS},       {"layer steps", LAYER_STEPS},
+                  {"layer time", LAYER_TIME},       {"layer rounding", LAYER_ROUNDING}};
+    Viewport *viewport = &opened.app.window.viewports[0];
+    for (size_t i = 0; i < COUNT(layers); i++) {
+        run(layers[i].name);
+        until(window_is_finished(&opened.app.window));
+        assert_int_equal(viewport->layer, layers[i].layer);
+        assert_int_equal(viewport->report.layer.layer, layers[i].layer);
+    }
+    run("leave");
+    until(window_is_finished(&opened.app.window));
+    assert_int_equal(viewport->report.layer.layer, LAYER_SHADED);
+    assert_false(opened.app.exit.is_requested);
+}
+
+/** Two pictures, their bar and sides, their difference, one picture. */
+static void test_split(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    const SplitView *split = &window->split;
+    run_and_settle("split");
+    assert_int_equal(split->mode, SPLIT_BAR);
+    assert_int_equal(window_viewport_count(window), 2);
+    size_t active = split->active;
+    run("other side");
+    assert_int_equal(split->active, 1 - active);
+    double place = split->bar_position;
+    run("bar right");
+    assert_true(split->bar_position > place);
+    run("bar left");
+    assert_at_most(fabs(split->bar_position - place), 1e-12, "the bar is back");
+    run("samples twice"); // On one side only.
+    assert_true(settle());
+    assert_int_not_equal(window->viewports[0].settings.samples,
+                         window->viewports[1].settings.samples);
+    run_and_settle("split");
+    assert_int_equal(split->mode, SPLIT_DIFFERENCE);
+    until(window_is_finished(window));
+    run("leave");
+    run("leave");
+    assert_true(settle());
+    assert_int_equal(split->mode, SPLIT_NONE);
+    assert_int_equal(window_viewport_count(window), 1);
+}
+
+/** The difference of two pictures of a layer is one of its numbers; the screen shows it. */
+static void test_difference_of_layers(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    static const char *const layers[] = {"layer distance", "layer shapes", "layer places",
+                                         "layer normals"};
+    run_and_settle("split");
+    for (size_t i = 0; i < COUNT(layers); i++) {
+        run(layers[i]);
+        run("other side");
+        run(layers[i]);
+        run("other side");
+        until(window_is_finished(window));
+        run_and_settle("split");
+        assert_int_equal(window->split.mode, SPLIT_DIFFERENCE);
+        until(window_is_finished(window));
+        settle();
+        // Both sides are drawn alike: nothing differs.
+        assert_false(window->split.difference.is_of_two_layers);
+        assert_int_equal(window->split.difference.pixel_count, 64 * 48);
+        assert_true(window->split.difference.max_difference == 0);
+        run("snapshot of the screen");
+        assert_status("saved ");
+        run_and_settle("split back"); // Two pictures again.
+    }
+    assert_int_equal(window->split.mode, SPLIT_BAR);
+}
+
+/** The buttons of the inspector do what its keys do. */
+static void test_inspector_buttons(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    int sphere = scene_object_keyword_find("sphere");
+    edits_click(app, 0.5, 0.5);
+    assert_int_equal(inspector->number, 1);
+    inspector->edit = (SceneOverride){sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    inspector->has_edit = true;
+    edits_handle_requests(app);
+    assert_false(inspector->has_edit);
+    assert_true(settle());
+    const InspectorRequest requests[] = {INSPECTOR_WRITE, INSPECTOR_COPY, INSPECTOR_UNDO,
+                                         INSPECTOR_REDO};
+    for (size_t i = 0; i < COUNT(requests); i++) {
+        inspector->request = requests[i];
+        edits_handle_requests(app);
+        assert_true(settle());
+        assert_int_equal(edit_history_in_force(&app->edits) > 0, requests[i] != INSPECTOR_UNDO);
+    }
+    assert_non_null(strstr(file_text("scene.lua"), "radius = 2"));
+    inspector->request = INSPECTOR_RAYS;
+    edits_handle_requests(app);
+    assert_true(app->window.ray_view.is_open);
+    run("rays");
+    inspector->request = INSPECTOR_CLOSE;
+    edits_handle_requests(app);
+    assert_int_equal(inspector->number, 0);
+}
+
+/** The chart measures the settings that are drawn while it is open, each once. */
+static void test_chart(void **state) {
+    (void)state;
+    SettingsChartPanel *panel = &opened.app.window.settings_chart;
+    run("chart");
+    assert_true(panel->is_open);
+    until(panel->chart.count == 1);
+    run("samples twice");
+    until(panel->chart.count == 2);
+    assert_true(panel->chart.points[0].error > 0 && panel->chart.points[0].seconds > 0);
+    assert_string_not_equal(panel->chart.points[0].name, panel->chart.points[1].name);
+    run("samples half");
+    until(window_is_finished(&opened.app.window));
+    settle();
+    assert_int_equal(panel->chart.count, 2);
+    run("light mode"); // Another picture: its points would be compared with those of this one.
+    until(panel->chart.count == 1);
+    run("leave");
+    assert_false(panel->is_open);
+}
+
+/** Rays of a pixel, which is chosen, moved to the pixel beside, seen from elsewhere. */
+static void test_rays(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    RayView *rays = &app->window.ray_view;
+    app_pick_pixel(app, 0.5, 0.5);
+    assert_true(settle());
+    assert_true(rays->is_open && rays->ray_tree.count >= 3); // Light, light, mirror.
+    const Vec3d camera = app->scene->camera.position;
+    app_move(app, (Movement){0}, (Movement){.right = 1});
+    app_turn(app, 10, 5);
+    app_orbit(app, 10, 5, (Vec3d){0, 0, 0});
+    app_zoom(app, 1);
+    app_pan(app, 1, 1);
+    assert_true(settle());
+    assert_memory_equal(&app->scene->camera.position, &camera, sizeof camera);
+    run("ray on");
+    run("ray on");
+    run("ray back");
+    run("fly ray");
+    command_choose_ray(app, 1);
+    for (int i = 0; i < 5; i++) {
+        run_and_settle("arrows");
+    }
+    static const char *const panes[] = {"ray plan", "ray march", "hit microscope"};
+    for (size_t i = 0; i < COUNT(panes); i++) {
+        run_and_settle(panes[i]);
+        assert_int_not_equal(rays->pane, RAY_PANE_NONE);
+        run_and_settle(panes[i]);
+        assert_int_equal(rays->pane, RAY_PANE_NONE);
+    }
+    static const char *const kinds[] = {"camera rays", "shadow rays", "mirrored rays",
+                                        "refracted rays"};
+    for (size_t i = 0; i < 2 * COUNT(kinds); i++) {
+        run_and_settle(kinds[i % COUNT(kinds)]);
+    }
+    app_step_pixel(app, 1, 0);
+    assert_true(settle());
+    run("leave");
+    assert_false(rays->is_open);
+}
+
+/** Camera and lights move, walk, come back; the time of a still scene does not run. */
+static void test_moves(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const Vec3d light = app->scene->lights[0].position;
+    app_move(app, (Movement){.up = 0.5}, (Movement){.forward = 0.5});
+    assert_true(settle());
+    assert_true(vec3d_length(vec3d_subtract(app->scene->lights[0].position, light)) > 0.4);
+    assert_true(app->scene->camera.position.z < 6);
+    run_and_settle("undo");
+    run_and_settle("redo");
+    assert_true(app->scene->camera.position.z < 6);
+    run_and_settle("home");
+    assert_true(app->scene->camera.position.z == 6);
+    run("next light");
+    assert_int_equal(app->selected_light, 1);
+    run("next light");
+    assert_int_equal(app->selected_light, 0);
+    run("walk");
+    assert_int_equal(app->input.camera_motion, MOTION_WALK);
+    assert_status("walking");
+    run("walk");
+    assert_int_equal(app->input.camera_motion, MOTION_FLY);
+    run("time");
+    assert_false(app->timeline.is_running);
+    app_zoom(app, 1);
+    double view = app->scene->camera.fov;
+    app_zoom(app, -2);
+    assert_true(app->scene->camera.fov > view);
+}
+
+/** What lies over the picture opens and closes; Esc closes the topmost. */
+static void test_panels(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    Window *window = &app->window;
+    if (!typeface_find()) {
+        skip();
+    }
+    run("help");
+    assert_true(window->help.is_open);
+    assert_true(settle());
+    run("leave");
+    assert_false(window->help.is_open);
+    run("settings");
+    assert_true(window->shows_settings);
+    run("settings");
+    assert_false(window->shows_settings);
+    run("magnifier");
+    assert_true(window->magnifier.is_on);
+    app_step_pixel(app, 3, 2);
+    assert_true(settle());
+    run("leave");
+    assert_false(window->magnifier.is_on);
+    run("next thing");
+    assert_int_equal(window->object_inspector.number, 1);
+    run("inspector keys");
+    assert_true(settle());
+    run("leave");
+    assert_int_equal(window->object_inspector.number, 0);
+    run("text larger");
+    assert_true(window->text_scale > 1);
+    run("text smaller");
+    run("text smaller");
+    assert_true(window->text_scale < 1);
+    run("presentation");
+    assert_true(window->is_presenting);
+    run("presentation");
+    assert_false(window->is_presenting);
+    run("full screen");
+    assert_true(SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP);
+    assert_true(settle());
+    run("leave");
+    assert_false(SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP);
+    assert_false(app->exit.is_requested);
+    run("leave");
+    assert_true(app->exit.is_requested);
+}
+
+/** View and pictures are copied and saved. */
+static void test_saved(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    until(window_is_finished(&app->window));
+    run("copy");
+    char *text = SDL_GetClipboardText();
+    assert_non_null(strstr(text, "camera {"));
+    assert_non_null(strstr(text, "light {"));
+    SDL_free(text);
+    run("snapshot of the screen");
+    assert_status("saved ");
+    const char *name = strrchr(app->title.status_text, '/') + 1;
+    assert_memory_equal(file_text(name), "\x89PNG", 4);
+    assert_true(app_save_picture(app, app_folder(), "shot", &(Error){0}));
+    name = strrchr(app->title.status_text, '/') + 1;
+    assert_memory_equal(file_text(name), "BM", 2);
+    opened.settings.snapshot_dir = "/none";
+    run("snapshot of the screen");
+    assert_status("/none");
+}
+
+/** A window that is hidden draws nothing; one whose graphics card was reset shows its picture. */
+static void test_window_events(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    SDL_Event reset = {.type = SDL_RENDER_DEVICE_RESET};
+    input_handle_event(app, &reset);
+    assert_null(app->window.viewports[0].texture.texture);
+    assert_true(settle());
+    assert_non_null(app->window.viewports[0].texture.texture);
+    SDL_HideWindow(app->window.sdl.window);
+    SDL_Event event;
+    while (SDL_PollEvent(&event)) {
+        input_handle_event(app, &event);
+    }
+    assert_true(app->window.is_hidden);
+    assert_false(window_is_ready(&app->window));
+    SDL_ShowWindow(app->window.sdl.window);
+    while (SDL_PollEvent(&event)) {
+        input_handle_event(app, &event);
+    }
+    assert_false(app->window.is_hidden);
+    assert_true(settle());
+    SDL_Event keymap = {.type = SDL_KEYMAPCHANGED};
+    input_handle_event(app, &keymap);
+    SDL_Event quit = {.type = SDL_QUIT};
+    input_handle_event(app, &quit);
+    assert_true(app->exit.is_requested);
+    app->exit = (ExitState){0};
+    SDL_Event signal_event = {.type = app->first_event + EVENT_SIGNAL};
+    input_handle_event(app, &signal_event);
+    assert_int_equal(app->exit.status, STATUS_INTERRUPTED);
+}
+
+/** @return 0 if all tests pass. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_inspector_buttons, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_chart, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_rays, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),
+    };
+    return cmocka_run_group_tests_name("commands", tests, NULL, NULL);
+}

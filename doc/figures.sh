@@ -1,7 +1,7 @@
 #!/bin/sh
-# Writes the figures of README.md and README.fr.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
-# the tables of doc/figures. `make bench` and `make peers` call it after measuring.
-#   doc/figures.sh [FOLDER]: writes the two files there instead.
+# Writes the figures of README.md, README.fr.md and doc/web.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
+# the tables of doc/figures. `make bench`, `make peers` and `make bench-web` call it after measuring.
+#   doc/figures.sh [FOLDER]: writes the files there instead.
 set -eu
 export LC_ALL=C.UTF-8
 cd "$(dirname "$0")/.."
@@ -99,7 +99,38 @@ function table_of(what,  i, cell, other, best) {
             split(row[what, i], cell, ",")
             print "| " name(cell[1]) " | " number(cell[2]) " | " number(cell[3]) " | " number(cell[4]) " | " number(100 * cell[6] / cell[5]) " % |"
         }
+    } else if (what == "web-window") {
+        heads("what | with threads | with one thread | goal")
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            print "| " web_row(cell[1], number(cell[2]) " | " number(cell[3])) " |"
+        }
+    } else if (what == "web-engines") {
+        heads("scene | `f32x4`, desktop | `f32x4`, page | page’s speed | `f32x8`, desktop | `f32x8`, page | page’s speed")
+        for (i = 1; i <= rows[what]; i++) {
+            split(row[what, i], cell, ",")
+            narrow[i] = cell[2] / cell[3]; wide[i] = cell[4] / cell[5]
+            print "| " cell[1] " | " number(cell[2]) " | " number(cell[3]) " | " number(narrow[i]) " | " number(cell[4]) " | " number(cell[5]) " | " number(wide[i]) " |"
+        }
+        print "| **median** (goals: 0.8 and 0.55) | | | **" number(median(narrow, rows[what])) "** | | | **" number(median(wide, rows[what])) "** |"
     }
+}
+# web_row(key, values): a row of the table of the page, with its unit and its goal.
+function web_row(key, values) {
+    if (key == "cold") return "first picture of the box in a new browser, ms | " values " | 1000"
+    if (key == "warm") return "the same when the page is loaded again, ms | " values " | 400"
+    if (key == "key") return "from a key to the coarse picture, median, ms | " values " | 20"
+    if (key == "key_worst") return "the same, longest, ms | " values " | "
+    if (key == "idle") return "processor while nothing happens, % of a core | " values " | 0.5"
+    if (key == "gzip") return "fetched before the first picture, MB by `gzip -9` | " values " | 2"
+    if (key == "brotli") return "the same by Brotli, MB | " values " | 2"
+    return key " | " values " | "
+}
+# median(values, count): of the values 1 to count.
+function median(values, count,  i, j, t, sorted) {
+    for (i = 1; i <= count; i++) sorted[i] = values[i]
+    for (i = 2; i <= count; i++) for (j = i; j > 1 && sorted[j] < sorted[j - 1]; j--) { t = sorted[j]; sorted[j] = sorted[j - 1]; sorted[j - 1] = t }
+    return count % 2 ? sorted[(count + 1) / 2] : (sorted[count / 2] + sorted[count / 2 + 1]) / 2
 }
 FILENAME ~ /\.csv$/ {
     if (FNR == 1) { table = FILENAME; sub(/.*\//, "", table); sub(/\.csv$/, "", table); machine[table] = substr($0, 3) }
@@ -123,3 +154,5 @@ END { exit failed }
 }
 fill README.md en
 fill README.fr.md fr
+mkdir -p "$folder/doc"
+fill doc/web.md en

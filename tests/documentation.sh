@@ -130,8 +130,9 @@ agree "$work/manual" "$work/options" 'the manual page has the options, and who t
 doc/reports.sh "$work/reports.md" 2>"$work/err" || fail "doc/reports.sh: $(cat "$work/err")"
 same doc/reports.md "$work/reports.md" 'doc/reports.md is what doc/reports.sh makes of the tables'
 
-# --- figures of the READMEs: those of the tables -----------------------------------------------------
+# --- figures of the READMEs and of the page: those of the tables -------------------------------------
 doc/figures.sh "$work" 2>"$work/err" || fail "doc/figures.sh: $(cat "$work/err")"
+same doc/web.md "$work/doc/web.md" 'doc/web.md has the figures of doc/figures'
 for document in README.md README.fr.md; do
     same $document "$work/$document" "$document has the figures of doc/figures"
     [ "$(grep -c '^<!-- figures: ' $document)" = 6 ] && ok "$document: all six tables" || fail "$document lacks tables"

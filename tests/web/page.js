@@ -14,8 +14,8 @@ const PARTS = {
   firefox: require("./firefox.js"),
   bits: require("./bits.js"),
 };
-/** Parts that run only when they are named: in `keys` a page without threads does not answer in time. */
-const NAMED_ONLY = { keys: require("./keys.js") };
+/** Parts that run only when they are named: in `keys` the memory of a page without threads grows; `speed` is no test. */
+const NAMED_ONLY = { keys: require("./keys.js"), speed: require("./speed.js") };
 
 (async () => {
   const asked = process.argv.slice(2);

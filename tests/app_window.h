@@ -161,4 +161,11 @@ static void assert_status(const char *words) {
     }
 }
 
+/** Runs a command as its key does. */
+static inline void run(const char *name) {
+    const Command *command = command_find(command_table, name);
+    assert_non_null(command);
+    command_issue(&opened.app, command, clock_now_seconds());
+}
+
 #endif

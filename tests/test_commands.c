@@ -21,13 +21,6 @@ static int set_up(void **state) {
     return open_app_window(SCENE, "");
 }
 
-/** Runs a command as its key does. */
-static void run(const char *name) {
-    const Command *command = command_find(command_table, name);
-    assert_non_null(command);
-    command_issue(&opened.app, command, clock_now_seconds());
-}
-
 /** Runs a command, and waits for the picture. */
 static void run_and_settle(const char *name) {
     run(name);
@@ -342,6 +335,13 @@ static void test_panels(void **state) {
     assert_true(app->exit.is_requested);
 }
 
+/** @return The name in the newest message, "saved NAME in FOLDER"; until the next call. */
+static const char *saved_name(void) {
+    static char name[STATUS_TEXT_SIZE];
+    assert_int_equal(sscanf(opened.app.title.status_text, "saved %s in ", name), 1);
+    return name;
+}
+
 /** View and pictures are copied and saved. */
 static void test_saved(void **state) {
     (void)state;
@@ -354,11 +354,9 @@ static void test_saved(void **state) {
     SDL_free(text);
     run("snapshot of the screen");
     assert_status("saved ");
-    const char *name = strrchr(app->title.status_text, '/') + 1;
-    assert_memory_equal(file_text(name), "\x89PNG", 4);
+    assert_memory_equal(file_text(saved_name()), "\x89PNG", 4);
     assert_true(app_save_picture(app, app_folder(), "shot", &(Error){0}));
-    name = strrchr(app->title.status_text, '/') + 1;
-    assert_memory_equal(file_text(name), "BM", 2);
+    assert_memory_equal(file_text(saved_name()), "BM", 2);
     opened.settings.snapshot_dir = "/none";
     run("snapshot of the screen");
     assert_status("/none");

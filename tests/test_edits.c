@@ -167,6 +167,21 @@ static void test_write(void **state) {
     assert_string_equal(file_text("scene.lua"), SCENE);
 }
 
+/** Leaving asks once where objects were changed; a pupil presses Esc once too often. */
+static void test_leave(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    choose("sphere", 2);
+    set_radius(2, 0.5);
+    assert_true(settle());
+    run("leave");
+    run("leave");
+    assert_status("Esc again leaves");
+    assert_false(app->exit.is_requested);
+    run("leave");
+    assert_true(app->exit.is_requested);
+}
+
 /** What cannot be written is said, and the file stays as it is. */
 static void test_not_written(void **state) {
     (void)state;
@@ -266,6 +281,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_drag, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_copy, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_write, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_leave, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_not_written, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_save_copy, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_faulty_file, set_up, close_app_window),

@@ -163,7 +163,7 @@ typedef struct TitleState {
 typedef struct ExitState {
     bool is_requested;       /**< Whether the window is to be closed. */
     Status status;           /**< Exit status of the program. */
-    double confirmation_end; /**< Until when leaving again ends a lesson, seconds; 0: not asked. */
+    double confirmation_end; /**< Until when leaving again needs no question, s; 0: not asked. */
 } ExitState;
 
 /** The state of an open window. */

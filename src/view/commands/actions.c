@@ -348,18 +348,29 @@ void action_toggle_full_screen(App *app, int argument) {
     sdl_window_toggle_full_screen(&app->window.sdl);
 }
 
+/** @return What leaving would lose, and how to leave nevertheless; NULL: nothing. */
+static const char *leaving_question(const App *app) {
+    if (app_is_playing(app)) {
+        return N_("a lesson plays: leave again to end it");
+    }
+    if (app_is_recording(app)) {
+        return N_("a lesson is recorded: leave again to end it");
+    }
+    bool is_changed = edit_history_in_force(&app->edits) > 0;
+    return is_changed ? N_("objects were changed: Esc again leaves dioptre") : NULL;
+}
+
 void command_leave_program(App *app) {
     double now = clock_now_seconds();
-    bool needs_confirmation = app_is_playing(app) || app_is_recording(app);
-    if (!needs_confirmation || now < app->exit.confirmation_end) {
+    const char *question = leaving_question(app);
+    if (!question || now < app->exit.confirmation_end) {
         app->player.is_leaving = app_is_playing(app);
         app->exit.is_requested = !app->player.is_leaving;
         app->exit.confirmation_end = 0;
         return;
     }
     app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
-    app_set_status(app, app_is_playing(app) ? N_("a lesson plays: leave again to end it")
-                                            : N_("a lesson is recorded: leave again to end it"));
+    app_set_status(app, "%s", gettext(question));
 }
 
 /** Issues a command by its name. */

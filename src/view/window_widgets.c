@@ -92,7 +92,9 @@ static void show_object_inspector(Window *window) {
                                             .is_read_only = state->is_playing,
                                             .can_undo = state->can_undo,
                                             .can_redo = state->can_redo,
-                                            .top = window->toolbar.height};
+                                            .top = window->toolbar.height,
+                                            .picture = picture,
+                                            .pixel = {window->ray_view.x, window->ray_view.y}};
     object_inspector_show(inspector, &content);
 }
 

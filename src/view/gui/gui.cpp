@@ -281,6 +281,29 @@ static void follow_mouse_events() {
     }
 }
 
+/** @return Whether a window belongs to a list that is open. */
+static bool is_of_list(const ImGuiWindow *window) {
+    while (window && !(window->Flags & ImGuiWindowFlags_Popup)) {
+        window = window->ParentWindow;
+    }
+    return window != nullptr;
+}
+
+/**
+ * Closes the list that is open when another widget is clicked, so that this click does what it does
+ * without the list. Dear ImGui itself would only close the list, and the click would be lost.
+ */
+static void close_list_for_click(const Gui *gui) {
+    const ImGuiContext &context = *ImGui::GetCurrentContext();
+    bool is_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    bool is_elsewhere = context.HoveredWindow && !is_of_list(context.HoveredWindow) &&
+                        !gui->list_opener.Contains(context.IO.MousePos);
+    if (is_open && is_elsewhere && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClosePopupsOverWindow(nullptr, false);
+        ImGui::FocusWindow(nullptr); // A list with the focus would still take the click.
+    }
+}
+
 void gui_begin_frame(Gui *gui, float text_size) {
     ImGui::SetCurrentContext(gui->context);
     ImGui_ImplSDL2_NewFrame();
@@ -299,11 +322,13 @@ void gui_begin_frame(Gui *gui, float text_size) {
     style.FrameRounding = style.PopupRounding = style.GrabRounding = style.ScrollbarRounding =
         style.WindowRounding = ROUNDING * text_size;
     gui->texts.resize(0);
+    gui->is_inspecting = false;
     ImGui::NewFrame();
     if (gui->closes_list) {
         ImGui::ClosePopupsOverWindow(nullptr, false);
         gui->closes_list = false;
     }
+    close_list_for_click(gui);
 }
 
 void gui_end_frame(Gui *gui) {
@@ -311,7 +336,6 @@ void gui_end_frame(Gui *gui) {
     if (gui->has_keyboard && !gui->is_inspecting) {
         take_keyboard(gui);
     }
-    gui->is_inspecting = false;
     update_text_input(gui);
     const ImDrawData *data = ImGui::GetDrawData();
     if (gui->letters) {

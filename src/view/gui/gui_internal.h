@@ -60,6 +60,7 @@ struct Gui {
     bool has_text_input;      /**< Whether the system is asked for letters. */
     bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
+    ImRect list_opener;       /**< The widget that has opened the list. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
 };
@@ -115,6 +116,9 @@ void place_in_bar(float width);
 
 /** @return Width of a button with a label. */
 float button_width(const char *label);
+
+/** Notes that a list is open below a widget. @param opener The widget. */
+void note_open_list(const ImRect &opener);
 
 /** A button with a tooltip. @param is_marked Whether its words stand out. @return Whether it was
  *  clicked. */

@@ -37,6 +37,10 @@ float button_width(const char *label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+void note_open_list(const ImRect &opener) {
+    current_gui()->list_opener = opener;
+}
+
 bool push_button(const char *label, const char *tooltip, bool is_marked) {
     if (is_marked) {
         ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
@@ -85,8 +89,10 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::BeginCombo("##list", shown,
                           ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
+        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
         if (ImGui::IsWindowAppearing()) {
             gui_request_frames(current_gui()); // The list finds its size.
         }

@@ -169,4 +169,37 @@ xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.p
 xdotool click 1 && settled && xdotool click 1
 restored closed 'a click on the list itself closes it'
 leave
+
+# --- the bar by keys ---------------------------------------------------------------------------------
+open "$box" --samples 1
+fold
+xdotool mousemove --window "$window" 400 590
+xdotool key shift+F2
+expect_shown 'arrows: a button' 'Shift F2 unfolds the bar and gives it the keyboard'
+xdotool key Right Right && sleep 0.3 && xdotool key Return && settled
+xdotool key Down Return
+expect_shown 'normals.*finished' 'arrows and Enter open a list and choose'
+# On to the offset, epsilon, the number type; the next is in the second row: less depth, more depth.
+for key in Tab Tab Tab Tab Tab; do xdotool key $key && sleep 0.2; done
+xdotool key space
+expect_shown 'depth 9' 'Tab goes on to the next row, Space presses a button'
+xdotool key shift+Tab && sleep 0.2 && xdotool key Return
+expect_shown 'depth 8' 'Shift Tab goes back'
+xdotool key 3 && sleep 0.5
+shown 'normals' && ok 'meanwhile digits are no commands' || fail "the title says $(title)"
+xdotool key Escape && sleep 0.3 && xdotool key 3
+expect_shown 'distance.*finished' 'Esc gives the keys back to the picture'
+leave
+
+# --- formulas that scroll ----------------------------------------------------------------------------
+open "$box" --samples 1
+xdotool mousemove --window "$window" 300 430 && sleep 0.3
+xdotool key v && quiet && settled && cp "$work/a.ppm" "$work/rays.ppm"
+xdotool key Next
+changed rays scrolled 'Page Down scrolls the formulas of the rays'
+xdotool key Prior
+restored rays 'Page Up scrolls them back'
+xdotool key shift+Prior
+changed rays nearer 'with Shift it goes nearer'
+leave
 exit $((failures > 0))

@@ -219,14 +219,28 @@ static void test_keymap_help(void **state) {
     assert_string_equal(list.rows[0].text, "Light");
     assert_true(list.rows[0].is_heading);
     assert_string_equal(list.rows[1].label, "W  S");
-    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_text_keys(&list, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(&list, "snapshot (Shift: as on the screen)"), "P  F12");
-    assert_string_equal(help_text_keys(&list, "leave"), "Esc");
+    assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(&list, "camera forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(&list, "save the picture (Shift: as on the screen)"),
+                        "P  F12");
+    assert_string_equal(help_text_keys(&list, "close what lies on top; at last leave"), "Esc");
+    assert_string_equal(help_text_keys(&list, "take a change back, do it again"), "Ctrl+Z  Ctrl+Y");
+    assert_string_equal(help_text_keys(&list, "this help: all keys"), "F1  H  ?");
+    assert_string_equal(help_text_keys(&list, "the toolbar by keys: arrows, Enter; Esc: back"),
+                        "Shift+F2");
+    assert_string_equal(
+        help_text_keys(&list, "show or hide camera, shadow, mirrored, refracted rays"),
+        "Shift+1  Shift+2  Shift+3  Shift+4");
+    // Each row can be understood alone: no two say the same.
+    for (size_t i = 0; i < list.count; i++) {
+        for (size_t j = 0; j < i; j++) {
+            assert_string_not_equal(list.rows[i].text, list.rows[j].text);
+        }
+    }
     help.by_letter = true;
     help_write_list(&help, &list);
     assert_string_equal(list.rows[1].label, "Z  S");
-    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  W");
+    assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  W");
 }
 
 /** Arrows select a key of the help, and Enter requests its command. */
@@ -354,13 +368,13 @@ static void test_tooltips(void **state) {
         }
     }
     assert_int_equal(count, 30);
-    assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl Z");
+    assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");
     assert_non_null(
-        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift B"));
+        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift+B"));
     assert_string_equal(tooltip_write(&help, "shadow rays", text),
-                        "show or hide the rays to the lamps — Shift 2");
+                        "show or hide the rays to the lamps — Shift+2");
     assert_string_not_equal(tooltip_write(&help, "chart", text),
                             tooltip_write(&help, "settings", other));
     assert_string_equal(tooltip_write(&help, "light up", text), "");

@@ -147,6 +147,9 @@ void window_show_widgets(Window *window) {
     show_layer_name(window, &area);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
+    if (window->help.is_open || window->browser.is_open) {
+        gui_take_keyboard(window->gui); // They have keys of their own.
+    }
     if (window->help.is_open) {
         show_help(window, &area);
     } else if (window->browser.is_open) {

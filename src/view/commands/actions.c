@@ -244,9 +244,25 @@ void action_take_keyboard(App *app, int argument) {
     if (app->window.object_inspector.number == 0) {
         edits_select_next(app, 1);
     }
-    if (app->window.object_inspector.number > 0 && gui_give_keyboard(app->window.gui)) {
+    if (app->window.object_inspector.number > 0 &&
+        gui_give_keyboard(app->window.gui, GUI_INSPECTOR)) {
         window_present(&app->window);
         app_set_status(app, "arrows: a field; Space, Enter: change it; Esc: the picture's keys");
+    }
+}
+
+void action_take_toolbar(App *app, int argument) {
+    (void)argument;
+    Window *window = &app->window;
+    if (window->is_presenting) {
+        action_toggle_presentation(app, 0);
+    }
+    if (window->toolbar.is_folded) {
+        window_toggle_toolbar(window);
+    }
+    if (!window->toolbar.is_folded && gui_give_keyboard(window->gui, GUI_BAR)) {
+        window_present(window);
+        app_set_status(app, "arrows: a button; Space, Enter: press it; Esc: the picture's keys");
     }
 }
 

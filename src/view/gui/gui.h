@@ -53,10 +53,22 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
-/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it
- * back.
- *  @return Whether it has it now. */
-bool gui_give_keyboard(Gui *gui);
+/** What the keyboard can be given to. */
+typedef enum {
+    GUI_PICTURE,   /**< The picture: its keys are commands. */
+    GUI_INSPECTOR, /**< The inspector of objects. */
+    GUI_BAR        /**< The bar. */
+} GuiKeyboard;
+
+/** Gives the keyboard to a panel until Esc, or until it is closed; takes it back from one that has
+ *  it. @return Whether it has it now. */
+bool gui_give_keyboard(Gui *gui, GuiKeyboard panel);
+
+/** Takes the keyboard back from the panel that has it, if any. @param gui NULL: does nothing. */
+void gui_take_keyboard(Gui *gui);
+
+/** Scrolls the present panel. @param pages Pages down, less a line each; negative: up. */
+void gui_scroll_pages(int pages);
 
 /** Closes the list that is open. @return Whether there was one. */
 bool gui_close_list(Gui *gui);

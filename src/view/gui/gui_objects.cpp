@@ -192,19 +192,12 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
     ImGui::SetNextWindowBgAlpha(INSPECTOR_ALPHA);
-    if (gui->takes_focus) {
-        ImGui::SetNextWindowFocus();
-    }
+    focus_next_window(GUI_INSPECTOR);
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     (gui->has_keyboard ? 0 : ImGuiWindowFlags_NoNav) |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+                     navigation_flags(GUI_INSPECTOR) | ImGuiWindowFlags_NoFocusOnAppearing);
     show_tooltip(tooltip); // On the title.
-    if (gui->takes_focus) {
-        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true); // Its first field is chosen.
-        ImGui::GetCurrentContext()->NavDisableHighlight = false;
-        gui->takes_focus = false;
-    }
+    choose_first_widget(GUI_INSPECTOR);
     gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger.
     ImVec2 corner = ImGui::GetWindowPos();

@@ -229,8 +229,8 @@ static void show_buttons(ObjectInspector *inspector, const ObjectInspectorConten
         const char *label;
         const char *tooltip;
     } buttons[] = {
-        {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl Z")},
-        {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl Y")},
+        {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl+Z")},
+        {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl+Y")},
         {INSPECTOR_COPY, N_("copy as scene text"), N_("its text with these values, to paste")},
         {INSPECTOR_WRITE, N_("write into the file"), N_("its changes, at the line that made it")},
         {INSPECTOR_RAYS, N_("rays of this pixel"), N_("of the pixel that was clicked")},

@@ -120,4 +120,86 @@ xdotool mousemove --window "$window" 24 20 click 1
 is_tall() { [ "$(height)" -ge "$tall" ]; }
 within is_tall && ok 'its button unfolds it' || fail "the window is $(height) high"
 leave
+
+# --- the pixel that the bar names --------------------------------------------------------------------
+open "$box" --samples 1
+settled
+tall=$(height)
+top=$((tall - 600))
+xdotool key r && sleep 0.3
+xdotool mousemove --window "$window" 300 $((top + 250))
+sleep 0.3
+xdotool key v && sleep 0.5 && xdotool key Escape && sleep 0.3
+# The magnifier goes on by keys, while the mouse stays; then the mouse lies on the bar.
+xdotool key F4 && sleep 0.3 && xdotool key ctrl+Left ctrl+Left ctrl+Down && sleep 0.3
+xdotool mousemove --window "$window" 110 24 && sleep 0.3
+xdotool key v && sleep 0.5 && xdotool key Escape && sleep 0.3
+xdotool key F4 && sleep 0.3
+xdotool key v && sleep 0.5 && xdotool key Escape && sleep 0.3
+xdotool key r
+within has_lesson
+sed -n 's/^pixel(\([0-9.]*\), \([0-9.]*\))$/\1 \2/p' "$work/shots/$lesson" |
+    awk '{ printf "%d %d ", $1 * 800, $2 * 600 }' >"$work/pixels"
+[ "$(cat "$work/pixels")" = '300 250 298 251 ' ] &&
+    ok 'v shows the rays of the pixel under the mouse, and of the one in the magnifier' ||
+    fail "v recorded $(cat "$work/pixels"): $(cat "$work/shots/$lesson")"
+[ "$(grep -c '^press "rays"$' "$work/shots/$lesson")" = 4 ] &&
+    ok 'where the bar names none, those of the last pixel' || fail "$(cat "$work/shots/$lesson")"
+leave
+
+# --- clicks while a list is open ---------------------------------------------------------------------
+open "$box" --samples 1
+settled
+tall=$(height)
+# The list of number types is the last of the first row; its second entry lies two rows below it.
+xdotool mousemove --window "$window" 220 24 click 1
+settled
+xdotool mousemove --window "$window" 686 24 click 1
+settled
+xdotool mousemove --window "$window" 686 94 click 1
+expect_shown 'finished — f64' 'a click on another list opens it, while one is open'
+xdotool mousemove --window "$window" 220 24 click 1
+settled
+xdotool mousemove --window "$window" 24 24 click 1
+within is_lower "$tall" && ok 'a click on a button while a list is open does what the button does' ||
+    fail "the window is $(height) high"
+xdotool key F2
+within is_tall
+xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
+xdotool click 1 && settled && xdotool click 1
+restored closed 'a click on the list itself closes it'
+leave
+
+# --- the bar by keys ---------------------------------------------------------------------------------
+open "$box" --samples 1
+fold
+xdotool mousemove --window "$window" 400 590
+xdotool key shift+F2
+expect_shown 'arrows: a button' 'Shift F2 unfolds the bar and gives it the keyboard'
+xdotool key Right Right && sleep 0.3 && xdotool key Return && settled
+xdotool key Down Return
+expect_shown 'normals.*finished' 'arrows and Enter open a list and choose'
+# On to the offset, epsilon, the number type; the next is in the second row: less depth, more depth.
+for key in Tab Tab Tab Tab Tab; do xdotool key $key && sleep 0.2; done
+xdotool key space
+expect_shown 'depth 9' 'Tab goes on to the next row, Space presses a button'
+xdotool key shift+Tab && sleep 0.2 && xdotool key Return
+expect_shown 'depth 8' 'Shift Tab goes back'
+xdotool key 3 && sleep 0.5
+shown 'normals' && ok 'meanwhile digits are no commands' || fail "the title says $(title)"
+xdotool key Escape && sleep 0.3 && xdotool key 3
+expect_shown 'distance.*finished' 'Esc gives the keys back to the picture'
+leave
+
+# --- formulas that scroll ----------------------------------------------------------------------------
+open "$box" --samples 1
+xdotool mousemove --window "$window" 300 430 && sleep 0.3
+xdotool key v && quiet && settled && cp "$work/a.ppm" "$work/rays.ppm"
+xdotool key Next
+changed rays scrolled 'Page Down scrolls the formulas of the rays'
+xdotool key Prior
+restored rays 'Page Up scrolls them back'
+xdotool key shift+Prior
+changed rays nearer 'with Shift it goes nearer'
+leave
 exit $((failures > 0))

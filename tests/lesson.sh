@@ -266,7 +266,8 @@ holds "$lesson" '^  move_speed = [0-9.]+,$' 'the speed of keys'
 holds "$lesson" '^bar\(0.62[0-9]*\)$' 'the bar between two pictures'
 holds "$lesson" '^select\("[a-z]*", [0-9]*, 0.51[0-9]*, 0.53[0-9]*\)$' 'a click on a thing'
 holds "$lesson" '^walk\(1, 0\)$' 'a step to the pixel beside'
-[ "$(grep -c '^press "rays"$' "$lesson")" = 2 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
+[ "$(grep -c '^pixel(0.51[0-9]*, 0.53[0-9]*)$' "$lesson")" = 1 ] && ok 'the pixel under the mouse, whose rays v shows' || fail "$(cat "$lesson")"
+[ "$(grep -c '^press "rays"$' "$lesson")" = 1 ] && ok 'and Esc, which leaves the rays' || fail "$(grep rays "$lesson")"
 holds "$lesson" '^speed\(4\)$' 'Shift'
 holds "$work/shots/box-lesson-0003.lua" '^release "camera up"$' 'keeps what it has, with keys let go'
 echo 'snapshot()' >>"$lesson"

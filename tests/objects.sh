@@ -95,6 +95,17 @@ settled
 xdotool key Escape && settled
 xdotool key ctrl+c && sleep 0.5
 grep -q '^sphere { radius = 0.5, ' "$work/log" && ok 'F3 and F10: a number is typed by keys alone' || fail "$(tail -1 "$work/log")"
+# On a French keyboard the row of digits gives & é " ... without Shift, and numbers have commas.
+setxkbmap fr && sleep 0.3
+xdotool key F10 && settled
+for _ in 1 2 3 4 5; do xdotool key Down && sleep 0.2; done
+xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2
+for key in ampersand comma eacute agrave quotedbl; do xdotool key "$key" && sleep 0.1; done
+xdotool key Return && settled && xdotool key Escape && settled
+setxkbmap us && sleep 0.3
+xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, ' && ok 'AZERTY: digits without Shift, and a comma' || fail "$(tail -1 "$work/log")"
+xdotool key ctrl+z && sleep 0.5
 xdotool key ctrl+shift+s
 has_copy() { [ -s "$work/shots/ball-copy-0001.lua" ]; }
 within has_copy

@@ -42,6 +42,38 @@ static RenderSettings requested(void) {
         }                                                                                          \
     } while (0)
 
+/** A scene that is opened begins with its own settings: what was changed for the one before, and
+ * what was opened for it, is gone. A scene that is loaded again keeps all. */
+static void test_other_scene(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    Window *window = &app->window;
+    const RenderSettings first = requested();
+    char path[PATH_MAX];
+    static const char *const commands[] = {"offset",        "deeper",    "split",
+                                           "layer normals", "magnifier", "chart"};
+    for (size_t i = 0; i < COUNT(commands); i++) {
+        run_and_settle(commands[i]);
+    }
+    current_scene_reload(app);
+    assert_true(settle());
+    assert_int_equal(window->viewports[0].settings.trace.depth, first.trace.depth + 1);
+    assert_true(window->magnifier.is_on && window->settings_chart.is_open);
+    assert_int_equal(window_viewport_count(window), 2);
+    assert_int_equal(window_active_viewport(window)->layer, LAYER_NORMALS);
+    run_and_settle("rays");
+    strcpy(path, write_text("other.lua", "camera {}\n"));
+    current_scene_open(app, path);
+    assert_true(settle());
+    RenderSettings other = window->viewports[0].settings;
+    assert_true(other.trace.offset == first.trace.offset && other.trace.depth == first.trace.depth);
+    assert_true(requested().trace.depth == first.trace.depth);
+    assert_int_equal(window_viewport_count(window), 1);
+    assert_int_equal(window->viewports[0].layer, LAYER_SHADED);
+    assert_false(window->magnifier.is_on || window->settings_chart.is_open ||
+                 window->ray_view.is_open || window->shows_settings);
+}
+
 /** Settings change by steps, there and back; all are reset at once. */
 static void test_settings(void **state) {
     (void)state;
@@ -398,6 +430,7 @@ static void test_window_events(void **state) {
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),

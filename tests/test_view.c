@@ -7,6 +7,8 @@
 #include "testing.h"
 
 #include "assets/images/image_file.h"
+#include "dioptre/scene_override.h"
+#include "dioptre/scene_words.h"
 #include "dioptre/view.h"
 #include "render/orbit_camera.h"
 #include "view/commands/commands.h"
@@ -217,14 +219,28 @@ static void test_keymap_help(void **state) {
     assert_string_equal(list.rows[0].text, "Light");
     assert_true(list.rows[0].is_heading);
     assert_string_equal(list.rows[1].label, "W  S");
-    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  Z");
-    assert_string_equal(help_text_keys(&list, "forward, back"), "Page Up  Page Down");
-    assert_string_equal(help_text_keys(&list, "snapshot (Shift: as on the screen)"), "P  F12");
-    assert_string_equal(help_text_keys(&list, "leave"), "Esc");
+    assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  Z");
+    assert_string_equal(help_text_keys(&list, "camera forward, back"), "Page Up  Page Down");
+    assert_string_equal(help_text_keys(&list, "save the picture (Shift: as on the screen)"),
+                        "P  F12");
+    assert_string_equal(help_text_keys(&list, "close what lies on top; at last leave"), "Esc");
+    assert_string_equal(help_text_keys(&list, "take a change back, do it again"), "Ctrl+Z  Ctrl+Y");
+    assert_string_equal(help_text_keys(&list, "this help: all keys"), "F1  H  ?");
+    assert_string_equal(help_text_keys(&list, "the toolbar by keys: arrows, Enter; Esc: back"),
+                        "Shift+F2");
+    assert_string_equal(
+        help_text_keys(&list, "show or hide camera, shadow, mirrored, refracted rays"),
+        "Shift+1  Shift+2  Shift+3  Shift+4");
+    // Each row can be understood alone: no two say the same.
+    for (size_t i = 0; i < list.count; i++) {
+        for (size_t j = 0; j < i; j++) {
+            assert_string_not_equal(list.rows[i].text, list.rows[j].text);
+        }
+    }
     help.by_letter = true;
     help_write_list(&help, &list);
     assert_string_equal(list.rows[1].label, "Z  S");
-    assert_string_equal(help_text_keys(&list, "away from you, nearer"), "E  W");
+    assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  W");
 }
 
 /** Arrows select a key of the help, and Enter requests its command. */
@@ -352,13 +368,13 @@ static void test_tooltips(void **state) {
         }
     }
     assert_int_equal(count, 30);
-    assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl Z");
+    assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");
     assert_non_null(
-        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift B"));
+        strstr(tooltip_write_pair(&help, "deeper", "less deep", ", ", text), "— B, Shift+B"));
     assert_string_equal(tooltip_write(&help, "shadow rays", text),
-                        "show or hide the rays to the lamps — Shift 2");
+                        "show or hide the rays to the lamps — Shift+2");
     assert_string_not_equal(tooltip_write(&help, "chart", text),
                             tooltip_write(&help, "settings", other));
     assert_string_equal(tooltip_write(&help, "light up", text), "");
@@ -906,6 +922,22 @@ static void test_magnifier(void **state) {
     assert_false(magnifier.is_on);
 }
 
+/** Words of scene files have names for readers; a word without one is its own name. */
+static void test_scene_words(void **state) {
+    (void)state;
+    assert_string_equal(scene_word("ior"), "refractive index");
+    assert_string_equal(scene_word("quad"), "parallelogram");
+    assert_string_equal(scene_word("a new shape"), "a new shape");
+    // No name says a word of the scene language that readers do not: they have no underscores.
+    for (int i = 0; scene_object_keyword(i); i++) {
+        const Parameter *row;
+        assert_null(strchr(scene_word(scene_object_keyword(i)->name), '_'));
+        for (int j = 0; (row = scene_object_row(i, j)); j++) {
+            assert_null(strchr(scene_word(row->name), '_'));
+        }
+    }
+}
+
 /** A readout has place, shape with its line, and value with unit; of two pictures the difference.
  */
 static void test_readout(void **state) {
@@ -918,13 +950,15 @@ static void test_readout(void **state) {
                             .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
                             .count = 1};
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "3, 4   sphere, line 35   colour 1 2 3 of 255");
+    assert_string_equal(text, "pixel 3 4 under the mouse   sphere (line 35 of the scene)   "
+                              "colour 1 2 3 of 255");
     readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
     readout.readings[0].values[0] = 2;
     readout.readings[1].values[0] = 2.5;
     readout.count = 2;
+    readout.is_magnified = true;
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "3, 4   sphere, line 35\n"
+    assert_string_equal(text, "pixel 3 4 in the magnifier   sphere (line 35 of the scene)\n"
                               "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
                               "left minus right: -0.5 scene units");
     readout.readings[1].layer = LAYER_RAYS;
@@ -932,7 +966,7 @@ static void test_readout(void **state) {
     assert_string_equal(text, "two layers: no difference");
     readout.readings[0].shape = 3;
     pixel_readout_write(&readout, text);
-    assert_non_null(strstr(text, "quad, line 24, number 4"));
+    assert_non_null(strstr(text, "parallelogram 4 (line 24 of the scene)"));
     scene_destroy(scene);
 }
 
@@ -980,7 +1014,7 @@ static void test_legend(void **state) {
     Legend time = legend_of(scene, LAYER_TIME, 1, 9, true);
     assert_string_equal(time.notes[0], "one number per block of 8 × 8 pixels");
     Legend shapes = legend_of(scene, LAYER_SHAPES, 0, 7, true);
-    assert_string_equal(shapes.texts[5], "sphere, line 35");
+    assert_string_equal(shapes.texts[5], "sphere (line 35 of the scene)");
     assert_int_equal((int)shapes.entry_count, (int)scene->shape_count);
     scene_destroy(scene);
 }
@@ -1389,6 +1423,7 @@ int main(void) {
         cmocka_unit_test(test_magnifier),
         cmocka_unit_test(test_settings_chart),
         cmocka_unit_test(test_error_meter),
+        cmocka_unit_test(test_scene_words),
         cmocka_unit_test(test_readout),
         cmocka_unit_test(test_legend),
         cmocka_unit_test(test_window),

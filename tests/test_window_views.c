@@ -153,6 +153,37 @@ static void check_inspector(Fixture *fixture) {
     edit_history_deinit(&edits);
 }
 
+/** Checks that the inspector lies beside what was clicked, and the chart beside the inspector. */
+static void check_places(Fixture *fixture) {
+    Window *window = &fixture->window;
+    EditHistory edits = {0};
+    bool is_light_moved[8] = {0};
+    const SceneObject object = scene_object_of_shape(fixture->scene, 0);
+    const SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+    static const double clicks[] = {0.9, 0.1, 0.95, 0.05};
+    int width = 0;
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    window->state.edits = &edits;
+    window->state.is_light_moved = is_light_moved;
+    for (size_t i = 0; i < sizeof clicks / sizeof *clicks; i++) {
+        window->ray_view.x = clicks[i];
+        window->ray_view.y = 0.5;
+        window->object_inspector = (ObjectInspector){
+            .keyword = object.keyword, .number = object.origin->number, .has_pixel = true};
+        window_present(window);
+        window_present(window);
+        GuiRect rect = gui_inspector_rect();
+        float clicked = (float)(picture.x + clicks[i] * picture.w);
+        bool is_clear = clicked < rect.x || clicked > rect.x + rect.width;
+        if (!is_clear && 2 * rect.width < (float)width) {
+            fault(fixture, "inspector", "it lies from %g on a click at %g", (double)rect.x,
+                  (double)clicked);
+        }
+    }
+    window->object_inspector = (ObjectInspector){0};
+    edit_history_deinit(&edits);
+}
+
 /** Checks the magnifier in all corners of the picture. */
 static void check_magnifier(Fixture *fixture) {
     Window *window = &fixture->window;
@@ -209,6 +240,7 @@ static void test_lesson_panel(void **state) {
 /** The inspector. */
 static void test_inspector(void **state) {
     in_all_windows(state, check_inspector);
+    in_all_windows(state, check_places);
 }
 
 /** The magnifier. */

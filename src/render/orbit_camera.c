@@ -5,6 +5,7 @@
 #include "render/orbit_camera.h"
 
 #include "base/language.h"
+#include "dioptre/scene_words.h"
 #include "render/renderer_internal.h"
 
 #include <libintl.h>
@@ -314,11 +315,11 @@ void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_
     } else if (ray->shape < 0) {
         snprintf(name, RAY_HIT_NAME_SIZE, gettext("lamp %d"), ray->light + 1);
     } else if (scene->shapes[ray->shape].origin.line > 0) {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"), ray_hit_keyword(scene, ray),
-                 scene->shapes[ray->shape].origin.line);
+        snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"),
+                 scene_word(ray_hit_keyword(scene, ray)), scene->shapes[ray->shape].origin.line);
     } else {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"), ray_hit_keyword(scene, ray),
-                 ray->shape + 1);
+        snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"),
+                 scene_word(ray_hit_keyword(scene, ray)), ray->shape + 1);
     }
 }
 

@@ -109,10 +109,6 @@ void window_request_new_renderers(Window *window) {
     }
 }
 
-bool window_has_overrides(const Window *window) {
-    return window->viewports[active_index(window)].overrides.mask != 0;
-}
-
 void window_reset_overrides(Window *window) {
     update_text_now(window);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
@@ -127,6 +123,15 @@ void window_reset_overrides(Window *window) {
     }
     window->split.mode = SPLIT_NONE;
     split_view_move_bar(&window->split, 0.5);
+}
+
+void window_forget_changes(Window *window) {
+    window_reset_overrides(window);
+    window->viewports[0].needs_new_renderer = false; // It comes with the scene.
+    window->magnifier = (Magnifier){0};
+    window->settings_chart.is_open = window->shows_settings = false;
+    window->settings_end_time = 0;
+    ray_view_reset(&window->ray_view);
 }
 
 void window_cycle_split(Window *window, int step) {

@@ -123,11 +123,12 @@ void window_override_setting(Window *window, SettingsChangeFn *change, int step)
 /** Has all renderers replaced at the next #window_update_renderers. */
 void window_request_new_renderers(Window *window);
 
-/** @return Whether the user has changed any setting. */
-bool window_has_overrides(const Window *window);
-
 /** Takes back all changes of settings, layers and the split view. */
 void window_reset_overrides(Window *window);
+
+/** Another scene comes with renderers of its own: takes back what the user has changed for the one
+ *  before, and closes what was opened for it. */
+void window_forget_changes(Window *window);
 
 /** Changes the mode of the split view. @param step 1: the next; -1: the previous. */
 void window_cycle_split(Window *window, int step);
@@ -157,6 +158,13 @@ SDL_Rect window_picture_rect(const Window *window);
  * @return Whether it is inside.
  */
 bool window_picture_position(const Window *window, int x, int y, double *right, double *down);
+
+/**
+ * Finds the pixel that the readout names and whose rays are shown: the one that is magnified, else
+ * the one under the mouse.
+ * @return Whether there is one: the mouse may be outside the picture, or over a panel.
+ */
+bool window_named_pixel(const Window *window, PixelPosition *pixel);
 
 /** @return The light whose mark is under the mouse; NULL: none. @param x Screen units. */
 const LightMark *window_light_at(const Window *window, int x, int y);

@@ -37,7 +37,7 @@ static bool is_right_side(const Window *window, int column) {
 }
 
 /** Finds the pixel under the mouse. @return false if the mouse is not on the picture. */
-static bool pixel_under_mouse(const Window *window, int *column, int *row) {
+static bool pixel_under_mouse(const Window *window, PixelPosition *pixel) {
     const Viewport *viewport = &window->viewports[0];
     int x = 0, y = 0;
     double right, down;
@@ -46,9 +46,34 @@ static bool pixel_under_mouse(const Window *window, int *column, int *row) {
         !window_picture_position(window, x, y, &right, &down)) {
         return false;
     }
-    *column = (int)(right * viewport->width);
-    *row = (int)(down * viewport->height);
+    *pixel = (PixelPosition){(int)(right * viewport->width), (int)(down * viewport->height)};
     return true;
+}
+
+bool window_named_pixel(const Window *window, PixelPosition *pixel) {
+    if (!window->gui || !is_picture_shown(window)) {
+        return false;
+    }
+    if (window->magnifier.is_on && window->magnifier.has_place) {
+        *pixel = window->magnifier.pixel;
+        return true;
+    }
+    return !gui_has_mouse() && pixel_under_mouse(window, pixel);
+}
+
+/** @return The part of the window for a panel beside the inspector, screen units: the wider side.
+ */
+static SDL_Rect area_beside_inspector(const Window *window) {
+    SDL_Rect area = window_to_units(window, window_area(window));
+    GuiRect inspector = gui_inspector_rect();
+    int from = (int)inspector.x, to = (int)(inspector.x + inspector.width);
+    if (inspector.width > 0 && from - area.x >= area.x + area.w - to) {
+        area.w = SDL_max(1, from - area.x);
+    } else if (inspector.width > 0) {
+        area.w = SDL_max(1, area.x + area.w - to);
+        area.x = to;
+    }
+    return area;
 }
 
 /* --- legends ---------------------------------------------------------------------------------- */
@@ -87,9 +112,10 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
 
 /** Shows the legend of each picture, or that of their difference. */
 static void show_legends(Window *window) {
-    SDL_Rect area = window_to_units(window, window_area(window));
+    SDL_Rect area = area_beside_inspector(window);
     bool is_difference = is_difference_shown(window);
     size_t count = is_difference ? 1 : window_viewport_count(window);
+    bool is_right = count == 1 && !window->settings_chart.is_open; // The chart lies at the right.
     for (size_t i = 0; i < count; i++) {
         const Viewport *viewport = &window->viewports[i];
         Legend legend;
@@ -101,7 +127,7 @@ static void show_legends(Window *window) {
                                  .progress = renderer_progress(viewport->renderer)};
         legend_write(&content, &legend);
         if (legend.title[0] != '\0') {
-            window->legend_rects[i] = draw_legend(window, &legend, &area, count == 1 || i == 1);
+            window->legend_rects[i] = draw_legend(window, &legend, &area, is_right || i == 1);
         }
     }
 }
@@ -139,7 +165,8 @@ static void show_all_rings(const Window *window) {
 
 /** Reads a pixel of all pictures. @return false if one has no pass yet. */
 static bool read_pixels(const Window *window, int x, int y, PixelReadout *readout) {
-    *readout = (PixelReadout){.scene = window->state.scene, .x = x, .y = y};
+    *readout = (PixelReadout){
+        .scene = window->state.scene, .x = x, .y = y, .is_magnified = window->magnifier.is_on};
     for (size_t i = 0; i < window_viewport_count(window); i++) {
         Renderer *renderer = window->viewports[i].renderer;
         if (!renderer || !renderer_read_pixel(renderer, x, y, &readout->readings[i])) {
@@ -182,18 +209,17 @@ static void show_magnifier(const Window *window) {
 void window_follow_mouse(Window *window) {
     PixelPosition mouse;
     const Viewport *viewport = &window->viewports[0];
-    bool is_there = pixel_under_mouse(window, &mouse.x, &mouse.y);
+    bool is_there = pixel_under_mouse(window, &mouse);
     magnifier_follow(&window->magnifier, is_there ? &mouse : NULL, SDL_max(1, viewport->width),
                      SDL_max(1, viewport->height));
 }
 
 void window_show_readout(const Window *window) {
-    PixelPosition pixel = window->magnifier.pixel;
+    PixelPosition pixel;
     PixelReadout readout;
     char text[READOUT_SIZE];
-    bool is_on = window->magnifier.is_on || (!window->toolbar.is_folded && !gui_has_mouse() &&
-                                             pixel_under_mouse(window, &pixel.x, &pixel.y));
-    if (!is_on || !is_picture_shown(window) || window->hint.text[0] != '\0' ||
+    bool is_wanted = window->magnifier.is_on || !window->toolbar.is_folded;
+    if (!is_wanted || window->hint.text[0] != '\0' || !window_named_pixel(window, &pixel) ||
         !read_pixels(window, pixel.x, pixel.y, &readout)) {
         return;
     }
@@ -207,7 +233,7 @@ void window_show_readout(const Window *window) {
 /** Shows the chart of settings, if it is open. */
 static void show_chart(const Window *window) {
     if (window->settings_chart.is_open) {
-        SDL_Rect area = window_to_units(window, window_area(window));
+        SDL_Rect area = area_beside_inspector(window);
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
         settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
     }

@@ -92,7 +92,9 @@ static void show_object_inspector(Window *window) {
                                             .is_read_only = state->is_playing,
                                             .can_undo = state->can_undo,
                                             .can_redo = state->can_redo,
-                                            .top = window->toolbar.height};
+                                            .top = window->toolbar.height,
+                                            .picture = picture,
+                                            .pixel = {window->ray_view.x, window->ray_view.y}};
     object_inspector_show(inspector, &content);
 }
 
@@ -145,6 +147,9 @@ void window_show_widgets(Window *window) {
     show_layer_name(window, &area);
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
+    if (window->help.is_open || window->browser.is_open) {
+        gui_take_keyboard(window->gui); // They have keys of their own.
+    }
     if (window->help.is_open) {
         show_help(window, &area);
     } else if (window->browser.is_open) {

@@ -244,9 +244,25 @@ void action_take_keyboard(App *app, int argument) {
     if (app->window.object_inspector.number == 0) {
         edits_select_next(app, 1);
     }
-    if (app->window.object_inspector.number > 0 && gui_give_keyboard(app->window.gui)) {
+    if (app->window.object_inspector.number > 0 &&
+        gui_give_keyboard(app->window.gui, GUI_INSPECTOR)) {
         window_present(&app->window);
         app_set_status(app, "arrows: a field; Space, Enter: change it; Esc: the picture's keys");
+    }
+}
+
+void action_take_toolbar(App *app, int argument) {
+    (void)argument;
+    Window *window = &app->window;
+    if (window->is_presenting) {
+        action_toggle_presentation(app, 0);
+    }
+    if (window->toolbar.is_folded) {
+        window_toggle_toolbar(window);
+    }
+    if (!window->toolbar.is_folded && gui_give_keyboard(window->gui, GUI_BAR)) {
+        window_present(window);
+        app_set_status(app, "arrows: a button; Space, Enter: press it; Esc: the picture's keys");
     }
 }
 
@@ -420,7 +436,30 @@ void command_choose_ray(App *app, size_t ray) {
     app_choose_ray(app, ray);
 }
 
+void command_show_rays(App *app, double x, double y) {
+    recorder_on_step(app, "pixel(%.17g, %.17g)", x, y);
+    app_pick_pixel(app, x, y);
+    window_present(&app->window);
+}
+
+/** Shows the rays of the pixel that the readout names: a lesson records which one. @return Whether
+ *  it names one, and no rays are shown yet. */
+static bool show_named_rays(App *app) {
+    const Viewport *viewport = &app->window.viewports[0];
+    PixelPosition pixel;
+    bool is_named = !app->window.ray_view.is_open && window_named_pixel(&app->window, &pixel);
+    if (is_named) {
+        // The centre of the pixel, so that rounding cannot change it.
+        command_show_rays(app, (pixel.x + 0.5) / viewport->width,
+                          (pixel.y + 0.5) / viewport->height);
+    }
+    return is_named;
+}
+
 void command_issue(App *app, const Command *command, double time) {
+    if (command_is(command, "rays") && show_named_rays(app)) {
+        return;
+    }
     recorder_on_command(app, command, time);
     if (!command_is_move(command)) {
         command_run(app, command);

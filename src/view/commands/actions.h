@@ -147,6 +147,9 @@ void action_select_thing(App *app, int step);
  *  Esc leaves it. */
 void action_take_keyboard(App *app, int argument);
 
+/** Gives the keyboard to the toolbar, or takes it back. @param argument Unused. */
+void action_take_toolbar(App *app, int argument);
+
 /** Saves a copy of the scene file with all changes. */
 void action_save_copy(App *app, int argument);
 

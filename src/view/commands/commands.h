@@ -20,6 +20,10 @@ void command_run(App *app, const Command *command);
  *  When its key went down, seconds on #clock_now_seconds. */
 void command_issue(App *app, const Command *command, double time);
 
+/** Shows the rays of a pixel; the recorder is notified first. @param x Fraction of the picture's
+ *  width. @param y Fraction of its height. */
+void command_show_rays(App *app, double x, double y);
+
 /** Chooses one of the rays that are shown; the recorder is notified first. */
 void command_choose_ray(App *app, size_t ray);
 

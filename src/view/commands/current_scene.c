@@ -136,6 +136,9 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
         scene_load_deinit(load);
         return false;
     }
+    if (load->path[0] != '\0') {
+        window_forget_changes(&app->window);
+    }
     replace_renderers(&app->window, load);
     scene_destroy(app->source.owned);
     app->scene = app->source.owned = load->scene;
@@ -158,12 +161,7 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
     }
     app->source.has_load_error = false;
     app_on_view_changed(app);
-    bool is_other = load->path[0] != '\0';
-    if (is_other && !load->lesson && window_has_overrides(&app->window)) {
-        app_set_status(app, "the settings that you changed are kept; as the scene has them: "
-                            "Backspace");
-    }
-    if (is_other || load->force_reload) {
+    if (load->path[0] != '\0' || load->force_reload) {
         app_show_notes(app);
     }
     return true;
@@ -213,8 +211,10 @@ static bool request_scene(App *app, double now, Error *error) {
     SceneLoadViewport viewports[SCENE_LOAD_VIEWPORTS] = {0};
     for (size_t i = 0; i < window_viewport_count(&app->window); i++) {
         Viewport *viewport = &app->window.viewports[i];
-        viewports[i] =
-            (SceneLoadViewport){.reuse_from = viewport->renderer, .overrides = viewport->overrides};
+        viewports[i] = (SceneLoadViewport){.reuse_from = viewport->renderer};
+        if (!is_other) { // Another scene begins with its own settings.
+            viewports[i].overrides = viewport->overrides;
+        }
         viewport->needs_new_renderer = false;
     }
     bool is_requested = scene_loader_request(&app->source.loader, &request, viewports, error);

@@ -341,8 +341,8 @@ static void handle_request(App *app, InspectorRequest request) {
     case INSPECTOR_WRITE:
         edits_write(app);
         break;
-    case INSPECTOR_RAYS:
-        issue(app, "rays");
+    case INSPECTOR_RAYS: // Of the pixel that was clicked, wherever the mouse is now.
+        command_show_rays(app, app->window.ray_view.x, app->window.ray_view.y);
         break;
     case INSPECTOR_NO_REQUEST:
         break;

@@ -144,7 +144,7 @@ static bool check_file(const App *app, Error *error) {
                         strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
     if (is_installed) {
         return error_set(error, STATUS_FAILED,
-                         "this scene belongs to the program: save a copy (Ctrl Shift S)");
+                         "this scene belongs to the program: save a copy (Ctrl+Shift+S)");
     }
     if (current_scene_file_changed(app)) {
         return error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");

@@ -111,14 +111,48 @@ void update_text_input(Gui *gui) {
     gui->has_text_input = is_wanted;
 }
 
-/** Takes the keyboard from the inspector. */
+/** Takes the keyboard from the panel that has it. */
 void take_keyboard(Gui *gui) {
     ImGuiIO &io = ImGui::GetIO();
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     memset(io.KeysDown, 0, sizeof io.KeysDown);
-    gui->has_keyboard = gui->takes_focus = false;
+    gui->keyboard = GUI_PICTURE;
+    gui->takes_focus = false;
     ImGui::SetWindowFocus(nullptr);
     gui->due_frames = FRAMES_PER_EVENT;
+}
+
+/**
+ * Makes what is typed part of a number, as only numbers are typed into fields: a comma, which many
+ * write in them, and what a French keyboard gives for its digits without Shift. A sign that numbers
+ * have, such as the minus there, stays.
+ * @param key   The key that typed it.
+ * @param text  What is typed.
+ */
+void use_signs_of_numbers(SDL_Scancode key, char *text) {
+    const bool is_digit_key = key >= SDL_SCANCODE_1 && key <= SDL_SCANCODE_0;
+    if (strcmp(text, ",") == 0) {
+        text[0] = '.';
+    } else if (is_digit_key && !strchr("0123456789+-.eE", text[0])) {
+        text[0] = static_cast<char>('0' + (key - SDL_SCANCODE_1 + 1) % 10);
+        text[1] = '\0';
+    }
+}
+
+/** Makes the keys of a bar those of Dear ImGui: Enter, too, presses a button, and Tab goes on. */
+void use_keys_of_bar(SDL_KeyboardEvent *key) {
+    if (key->type != SDL_KEYDOWN && key->type != SDL_KEYUP) {
+        return;
+    }
+    SDL_Scancode &place = key->keysym.scancode;
+    if (place == SDL_SCANCODE_RETURN || place == SDL_SCANCODE_KP_ENTER) {
+        place = SDL_SCANCODE_SPACE;
+    } else if (place == SDL_SCANCODE_TAB) {
+        bool is_back = key->keysym.mod & KMOD_SHIFT;
+        place = is_back ? SDL_SCANCODE_LEFT : SDL_SCANCODE_RIGHT;
+        // Shift may have changed since Tab went down.
+        ImGui::GetIO().KeysDown[is_back ? SDL_SCANCODE_RIGHT : SDL_SCANCODE_LEFT] = false;
+    }
 }
 
 /** Frees the texture of the letters, and the panels that were drawn with it. */
@@ -216,19 +250,27 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
     if (is_mouse) {
         gui->due_frames = FRAMES_PER_EVENT;
     }
-    bool is_typed = (ImGui::GetIO().WantTextInput || gui->has_keyboard) && is_keyboard_event(event);
-    if (is_typed && gui->has_keyboard && is_leaving(event)) {
+    if (event->type == SDL_KEYDOWN) {
+        const bool is_plain =
+            !(event->key.keysym.mod & (KMOD_SHIFT | KMOD_CTRL | KMOD_MODE | KMOD_ALT));
+        gui->plain_key = is_plain ? event->key.keysym.scancode : SDL_SCANCODE_UNKNOWN;
+    }
+    const bool has_panel = gui->keyboard != GUI_PICTURE;
+    bool is_typed = (ImGui::GetIO().WantTextInput || has_panel) && is_keyboard_event(event);
+    if (is_typed && has_panel && is_leaving(event)) {
         take_keyboard(gui);
         return true;
     }
-    if (is_typed && gui->has_keyboard && is_program_key(event)) {
+    if (is_typed && has_panel && is_program_key(event)) {
         return false;
     }
     if (is_typed) {
         SDL_Event typed = *event;
-        // Only numbers are typed into fields, and many write a comma in them.
-        if (event->type == SDL_TEXTINPUT && strcmp(event->text.text, ",") == 0) {
-            typed.text.text[0] = '.';
+        if (event->type == SDL_TEXTINPUT) {
+            use_signs_of_numbers(gui->plain_key, typed.text.text);
+        }
+        if (gui->keyboard == GUI_BAR) {
+            use_keys_of_bar(&typed.key);
         }
         ImGui_ImplSDL2_ProcessEvent(&typed);
         gui->due_frames = FRAMES_PER_EVENT;
@@ -236,19 +278,26 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
     return (is_mouse && was_wanted) || is_typed;
 }
 
-bool gui_give_keyboard(Gui *gui) {
-    if (gui && gui->has_keyboard) {
-        ImGui::SetCurrentContext(gui->context);
-        take_keyboard(gui);
+bool gui_give_keyboard(Gui *gui, GuiKeyboard panel) {
+    if (!gui) {
         return false;
     }
-    if (gui) {
-        ImGui::SetCurrentContext(gui->context);
+    ImGui::SetCurrentContext(gui->context);
+    const bool is_back = gui->keyboard == panel;
+    take_keyboard(gui);
+    if (!is_back) {
         ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        gui->has_keyboard = gui->takes_focus = true;
-        gui->due_frames = FRAMES_PER_EVENT;
+        gui->keyboard = panel;
+        gui->takes_focus = true;
     }
-    return gui != nullptr;
+    return !is_back;
+}
+
+void gui_take_keyboard(Gui *gui) {
+    if (gui && gui->keyboard != GUI_PICTURE) {
+        ImGui::SetCurrentContext(gui->context);
+        take_keyboard(gui);
+    }
 }
 
 bool gui_close_list(Gui *gui) {
@@ -281,6 +330,29 @@ static void follow_mouse_events() {
     }
 }
 
+/** @return Whether a window belongs to a list that is open. */
+static bool is_of_list(const ImGuiWindow *window) {
+    while (window && !(window->Flags & ImGuiWindowFlags_Popup)) {
+        window = window->ParentWindow;
+    }
+    return window != nullptr;
+}
+
+/**
+ * Closes the list that is open when another widget is clicked, so that this click does what it does
+ * without the list. Dear ImGui itself would only close the list, and the click would be lost.
+ */
+static void close_list_for_click(const Gui *gui) {
+    const ImGuiContext &context = *ImGui::GetCurrentContext();
+    bool is_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    bool is_elsewhere = context.HoveredWindow && !is_of_list(context.HoveredWindow) &&
+                        !gui->list_opener.Contains(context.IO.MousePos);
+    if (is_open && is_elsewhere && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClosePopupsOverWindow(nullptr, false);
+        ImGui::FocusWindow(nullptr); // A list with the focus would still take the click.
+    }
+}
+
 void gui_begin_frame(Gui *gui, float text_size) {
     ImGui::SetCurrentContext(gui->context);
     ImGui_ImplSDL2_NewFrame();
@@ -299,19 +371,21 @@ void gui_begin_frame(Gui *gui, float text_size) {
     style.FrameRounding = style.PopupRounding = style.GrabRounding = style.ScrollbarRounding =
         style.WindowRounding = ROUNDING * text_size;
     gui->texts.resize(0);
+    gui->is_inspecting = gui->has_bar = false;
     ImGui::NewFrame();
     if (gui->closes_list) {
         ImGui::ClosePopupsOverWindow(nullptr, false);
         gui->closes_list = false;
     }
+    close_list_for_click(gui);
 }
 
 void gui_end_frame(Gui *gui) {
     ImGui::Render();
-    if (gui->has_keyboard && !gui->is_inspecting) {
+    if ((gui->keyboard == GUI_INSPECTOR && !gui->is_inspecting) ||
+        (gui->keyboard == GUI_BAR && !gui->has_bar)) {
         take_keyboard(gui);
     }
-    gui->is_inspecting = false;
     update_text_input(gui);
     const ImDrawData *data = ImGui::GetDrawData();
     if (gui->letters) {

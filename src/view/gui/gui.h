@@ -53,10 +53,22 @@ void gui_on_device_reset(Gui *gui);
  */
 bool gui_handle_event(Gui *gui, const SDL_Event *event);
 
-/** Gives the keyboard to the inspector of objects until Esc, or until it is closed; or takes it
- * back.
- *  @return Whether it has it now. */
-bool gui_give_keyboard(Gui *gui);
+/** What the keyboard can be given to. */
+typedef enum {
+    GUI_PICTURE,   /**< The picture: its keys are commands. */
+    GUI_INSPECTOR, /**< The inspector of objects. */
+    GUI_BAR        /**< The bar. */
+} GuiKeyboard;
+
+/** Gives the keyboard to a panel until Esc, or until it is closed; takes it back from one that has
+ *  it. @return Whether it has it now. */
+bool gui_give_keyboard(Gui *gui, GuiKeyboard panel);
+
+/** Takes the keyboard back from the panel that has it, if any. @param gui NULL: does nothing. */
+void gui_take_keyboard(Gui *gui);
+
+/** Scrolls the present panel. @param pages Pages down, less a line each; negative: up. */
+void gui_scroll_pages(int pages);
 
 /** Closes the list that is open. @return Whether there was one. */
 bool gui_close_list(Gui *gui);
@@ -471,20 +483,35 @@ void gui_progress_bar(GuiPoint corner, float width, float fraction);
 
 /* --- the inspector of objects ----------------------------------------------------------------- */
 
+/** Where the inspector lies, and where what it is about. */
+typedef struct GuiInspectorPlace {
+    float top;      /**< Upper edge at first, pixels of the window. */
+    bool has_thing; /**< Whether #thing is known. */
+    GuiPoint thing; /**< Where the thing is seen: the inspector keeps clear of it. */
+    bool is_new;    /**< Whether another thing was just chosen. */
+} GuiInspectorPlace;
+
 /**
- * Begins a panel at the right edge of the window, which can be moved and closed. Its widgets
- * follow, then #gui_inspector_end.
- * @param id     Unique to it; not shown.
- * @param top    Upper edge at first, pixels of the window.
+ * Begins a panel at an edge of the window, which can be moved and closed. Its widgets follow, then
+ * #gui_inspector_end.
+ * @param id       Unique to it; not shown.
+ * @param tooltip  Of its title.
  * @return false if the user closes it.
  */
-bool gui_inspector_begin(const char *id, const char *title, float top);
+bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
+                         const GuiInspectorPlace *place);
+
+/** @return Where this frame shows the inspector, or the last one did; of width 0: nowhere. */
+GuiRect gui_inspector_rect(void);
 
 /** Ends the panel. */
 void gui_inspector_end(void);
 
+/** @return The room for the inspector's title, and for that of a part of it. */
+float gui_inspector_title_width(void);
+
 /** Begins a part of a panel, which can be folded. @return Whether it is open. */
-bool gui_inspector_section(const char *label, bool is_open_at_first);
+bool gui_inspector_section(const char *label, const char *tooltip, bool is_open_at_first);
 
 /** A button in a panel. @param is_enabled Whether it can be clicked. @return Whether it was. */
 bool gui_inspector_button(const char *label, const char *tooltip, bool is_enabled);

@@ -54,12 +54,16 @@ struct Gui {
     ImFont *heading;          /**< The letters of headings. */
     SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
-    bool has_keyboard;        /**< Whether the inspector has the keyboard. */
+    GuiKeyboard keyboard;     /**< What has the keyboard. */
     bool is_inspecting;       /**< Whether this frame shows the inspector. */
+    bool has_bar;             /**< Whether it shows the bar. */
     ImRect inspector;         /**< Where, if so. */
     bool has_text_input;      /**< Whether the system is asked for letters. */
+    SDL_Scancode plain_key;   /**< The last key that went down without Shift and its like; unknown:
+                                   another one has. */
     bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
+    ImRect list_opener;       /**< The widget that has opened the list. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
 };
@@ -115,6 +119,19 @@ void place_in_bar(float width);
 
 /** @return Width of a button with a label. */
 float button_width(const char *label);
+
+/** Has the next window take the focus, if a panel was just given the keyboard. @param panel What
+ * the window is. */
+void focus_next_window(GuiKeyboard panel);
+
+/** @return ImGuiWindowFlags_NoNav unless a panel has the keyboard. */
+ImGuiWindowFlags navigation_flags(GuiKeyboard panel);
+
+/** Chooses the first widget of the present window, if the panel was just given the keyboard. */
+void choose_first_widget(GuiKeyboard panel);
+
+/** Notes that a list is open below a widget. @param opener The widget. */
+void note_open_list(const ImRect &opener);
 
 /** A button with a tooltip. @param is_marked Whether its words stand out. @return Whether it was
  *  clicked. */

@@ -12,6 +12,8 @@ constexpr float LIGHT_RADIUS = 0.4F;
 constexpr int LIGHT_RAYS = 8;
 /** Width of the inspector of objects, in heights of letters. */
 constexpr float INSPECTOR_WIDTH = 16.5F;
+/** Width of the two buttons of its title, in heights of letters. */
+constexpr float TITLE_BUTTONS = 2;
 /** Width of a widget in it, in heights of letters. */
 constexpr float INSPECTOR_WIDGET_WIDTH = 7.7F;
 /** Opacity of the inspector: no outline is seen through its words. */
@@ -65,6 +67,9 @@ bool pick_color(float encoded[3], float side) {
                            ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                            ImVec2(side, side))) {
         ImGui::OpenPopup("picker");
+    }
+    if (ImGui::IsPopupOpen("picker")) {
+        note_open_list(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
     }
     if (ImGui::BeginPopup("picker")) {
         ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
@@ -125,6 +130,18 @@ void record_numbers(const double *numbers, int count, const char *format, ImVec2
     }
 }
 
+/** Puts the inspector at the right; at the left if it would lie on what it is about. It moves only
+ *  for that: the user may have put it elsewhere. @param width Its width. */
+void place_inspector(const Gui *gui, const GuiInspectorPlace *place, float width) {
+    const float display = ImGui::GetIO().DisplaySize.x;
+    const ImVec2 thing(place->thing.x, place->thing.y);
+    // In a narrow window it lies on it on either side: then on the side that is farther.
+    bool is_left = place->has_thing && thing.x > fmaxf(display - width, display / 2);
+    bool is_hidden = place->has_thing && place->is_new && gui->inspector.Contains(thing);
+    ImGui::SetNextWindowPos(ImVec2(is_left ? 0 : display - width, place->top),
+                            is_hidden ? ImGuiCond_Always : ImGuiCond_Appearing);
+}
+
 } // namespace
 
 extern "C" {
@@ -162,29 +179,25 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
               name);
 }
 
-bool gui_inspector_begin(const char *id, const char *title, float top) {
+bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
+                         const GuiInspectorPlace *place) {
     const ImGuiIO &io = ImGui::GetIO();
     float size = ImGui::GetFontSize(), width = fminf(INSPECTOR_WIDTH * size, io.DisplaySize.x);
+    const float top = place->top;
     char label[INSPECTOR_TITLE_SIZE];
     bool is_open = true;
     snprintf(label, sizeof label, "%s###%s", title, id);
-    ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - width, top), ImGuiCond_Appearing);
+    Gui *gui = current_gui();
+    place_inspector(gui, place, width);
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
                                         ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
     ImGui::SetNextWindowBgAlpha(INSPECTOR_ALPHA);
-    Gui *gui = current_gui();
-    if (gui->takes_focus) {
-        ImGui::SetNextWindowFocus();
-    }
+    focus_next_window(GUI_INSPECTOR);
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     (gui->has_keyboard ? 0 : ImGuiWindowFlags_NoNav) |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
-    if (gui->takes_focus) {
-        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true); // Its first field is chosen.
-        ImGui::GetCurrentContext()->NavDisableHighlight = false;
-        gui->takes_focus = false;
-    }
+                     navigation_flags(GUI_INSPECTOR) | ImGuiWindowFlags_NoFocusOnAppearing);
+    show_tooltip(tooltip); // On the title.
+    choose_first_widget(GUI_INSPECTOR);
     gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger.
     ImVec2 corner = ImGui::GetWindowPos();
@@ -194,19 +207,32 @@ bool gui_inspector_begin(const char *id, const char *title, float top) {
     return is_open;
 }
 
+GuiRect gui_inspector_rect() {
+    const Gui *gui = current_gui();
+    const ImRect &rect = gui->inspector;
+    return gui->is_inspecting ? GuiRect{rect.Min.x, rect.Min.y, rect.GetWidth(), rect.GetHeight()}
+                              : GuiRect{0, 0, 0, 0};
+}
+
 void gui_inspector_end() {
     ImGui::PopItemWidth();
     current_gui()->inspector = ImGui::GetCurrentWindow()->Rect();
     ImGui::End();
 }
 
-bool gui_inspector_section(const char *label, bool is_open_at_first) {
+float gui_inspector_title_width() {
+    const float size = ImGui::GetFontSize();
+    return INSPECTOR_WIDTH * size - TITLE_BUTTONS * size - 4 * PADDING * size;
+}
+
+bool gui_inspector_section(const char *label, const char *tooltip, bool is_open_at_first) {
     bool is_open = ImGui::CollapsingHeader(label, is_open_at_first ? ImGuiTreeNodeFlags_DefaultOpen
                                                                    : ImGuiTreeNodeFlags_None);
     ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(label);
     ImVec2 at(low.x + ImGui::GetTreeNodeToLabelSpacing(), low.y + ImGui::GetStyle().FramePadding.y);
     record_text(label, at, ImVec2(at.x + size.x, at.y + size.y),
                 clipped(low, ImGui::GetItemRectMax()), ImGui::GetFontSize());
+    show_tooltip(tooltip);
     return is_open;
 }
 
@@ -277,12 +303,19 @@ bool gui_edit_check(const char *label, double *number, const char *tooltip) {
 
 bool gui_edit_choice(const char *label, double *number, const char *const *words,
                      const char *tooltip) {
-    int count = 0, chosen = static_cast<int>(*number);
-    while (words[count]) {
-        count++;
+    const int before = static_cast<int>(*number);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::BeginCombo(label, words[before])) {
+        note_open_list(
+            ImRect(low, ImVec2(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight())));
+        for (int i = 0; words[i]; i++) {
+            if (ImGui::Selectable(words[i], i == before)) {
+                *number = i;
+            }
+        }
+        ImGui::EndCombo();
     }
-    bool is_changed = ImGui::Combo(label, &chosen, words, count);
-    *number = chosen;
+    const bool is_changed = static_cast<int>(*number) != before;
     record_right_label(label);
     show_tooltip(tooltip);
     return is_changed;

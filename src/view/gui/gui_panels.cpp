@@ -151,6 +151,16 @@ void gui_scroll_to_top() {
     ImGui::SetScrollY(0);
 }
 
+void gui_scroll_pages(int pages) {
+    if (pages == 0) {
+        return; // The panel may have been scrolled in this frame.
+    }
+    const float page = fmaxf(ImGui::GetWindowHeight() - 2 * ImGui::GetFontSize(), 1);
+    const float wanted = ImGui::GetScrollY() + static_cast<float>(pages) * page;
+    ImGui::SetScrollY(fmaxf(0, fminf(wanted, ImGui::GetScrollMaxY())));
+    gui_request_frames(current_gui()); // It moves in the next one.
+}
+
 void gui_at_right(const char *label) {
     const float width = button_width(label), left = ImGui::GetItemRectMax().x;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -17,6 +17,17 @@ constexpr float SHORT_LABEL_FRACTION = 0.3F;
 /** Largest part of a list's width by which a row is moved. */
 constexpr float INDENT_FRACTION = 0.2F;
 
+/** @return The width of the longest word of a text, which no line can break. */
+float widest_word(const char *text) {
+    float widest = 0;
+    while (*text) {
+        const char *end = text + strcspn(text, " ");
+        widest = fmaxf(widest, ImGui::CalcTextSize(text, end).x);
+        text = end + strspn(end, " ");
+    }
+    return widest;
+}
+
 } // namespace
 
 extern "C" {
@@ -55,8 +66,9 @@ void gui_list_text(const char *label, const char *text) {
 bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
                   bool is_selected, bool is_revealed) {
     const float size = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-    const float left =
-        fminf(ROW_INDENT * size * static_cast<float>(indent), INDENT_FRACTION * width);
+    const float free_width = fmaxf(0, width - size - widest_word(text));
+    const float left = fminf(ROW_INDENT * size * static_cast<float>(indent),
+                             fminf(INDENT_FRACTION * width, free_width));
     ImGui::PushID(number);
     ImVec2 corner = ImGui::GetCursorScreenPos();
     float room = width - left - size;

@@ -37,6 +37,29 @@ float button_width(const char *label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+void focus_next_window(GuiKeyboard panel) {
+    if (current_gui()->takes_focus && current_gui()->keyboard == panel) {
+        ImGui::SetNextWindowFocus();
+    }
+}
+
+ImGuiWindowFlags navigation_flags(GuiKeyboard panel) {
+    return current_gui()->keyboard == panel ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoNav;
+}
+
+void choose_first_widget(GuiKeyboard panel) {
+    Gui *gui = current_gui();
+    if (gui->takes_focus && gui->keyboard == panel) {
+        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+        gui->takes_focus = false;
+    }
+}
+
+void note_open_list(const ImRect &opener) {
+    current_gui()->list_opener = opener;
+}
+
 bool push_button(const char *label, const char *tooltip, bool is_marked) {
     if (is_marked) {
         ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
@@ -56,15 +79,22 @@ void gui_bar_begin(bool is_folded) {
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(is_folded ? 0 : ImGui::GetIO().DisplaySize.x, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    focus_next_window(GUI_BAR);
     ImGui::Begin("bar", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoSavedSettings);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | navigation_flags(GUI_BAR));
     ImGui::PopStyleVar();
+    choose_first_widget(GUI_BAR);
+    current_gui()->has_bar = true;
     ImGui::Dummy(ImVec2(0, 0));
 }
 
 float gui_bar_end() {
     float height = ImGui::GetWindowHeight();
+    if (current_gui()->keyboard == GUI_BAR) {
+        // The arrow right of the last button of a row goes to the next row.
+        ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_WrapX);
+    }
     ImGui::End();
     return height;
 }
@@ -85,8 +115,10 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::BeginCombo("##list", shown,
                           ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
+        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
         if (ImGui::IsWindowAppearing()) {
             gui_request_frames(current_gui()); // The list finds its size.
         }

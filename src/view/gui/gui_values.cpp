@@ -124,18 +124,21 @@ void draw_legend(const char *id, const GuiLegend *legend, const LegendLayout &la
 /** Narrowest readout beside the inspector, in heights of letters: else it lies below it. */
 constexpr float READOUT_WIDTH_MINIMUM = 10;
 
-/** @return The width of the text of a readout. @param left Its left end. */
-float readout_width(float left) {
+/** @return The width of the text of a readout. @param[in,out] left Its left end; it becomes that
+ *  right of the inspector if this lies at the left. */
+float readout_width(float *left) {
     const Gui *gui = current_gui();
+    const ImRect &inspector = gui->inspector;
     const float size = ImGui::GetFontSize(), gap = PADDING * size;
     const ImVec2 &display = ImGui::GetIO().DisplaySize;
     float right = display.x;
-    bool is_low = gui->inspector.Max.y > display.y - size - 2 * gap;
-    if (gui->is_inspecting && is_low &&
-        gui->inspector.Min.x > left + READOUT_WIDTH_MINIMUM * size) {
-        right = gui->inspector.Min.x;
+    bool is_low = gui->is_inspecting && inspector.Max.y > display.y - size - 2 * gap;
+    if (is_low && inspector.Min.x > *left + READOUT_WIDTH_MINIMUM * size) {
+        right = inspector.Min.x;
+    } else if (is_low && inspector.Max.x + READOUT_WIDTH_MINIMUM * size < display.x) {
+        *left = fmaxf(*left, inspector.Max.x);
     }
-    return right - left - 2 * size - 3 * gap;
+    return right - *left - 2 * size - 3 * gap;
 }
 
 } // namespace
@@ -143,12 +146,13 @@ float readout_width(float left) {
 extern "C" {
 
 float gui_readout_height(const char *text) {
-    return text_extent(text, readout_width(0)).y + 2 * PADDING * ImGui::GetFontSize();
+    float left = 0;
+    return text_extent(text, readout_width(&left)).y + 2 * PADDING * ImGui::GetFontSize();
 }
 
 void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner) {
     float size = ImGui::GetFontSize(), gap = PADDING * size;
-    float widest = readout_width(corner.x);
+    float widest = readout_width(&corner.x);
     ImVec2 area = text_extent(text, widest);
     ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
     ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
@@ -195,10 +199,16 @@ void gui_pixels(const GuiPixels *pixels, GuiPoint point, float top, float bottom
     float cell = fmaxf(floorf(fminf(line, 0.45F * (bottom - top) / rows)), 3);
     float width = fmaxf(cell * columns, ImGui::CalcTextSize(pixels->caption).x) + 2 * gap;
     float height = cell * rows + line + 3 * gap;
+    const Gui *gui = current_gui();
+    // Beside the inspector, too.
+    const float first =
+        gui->is_inspecting && gui->inspector.Max.x <= point.x ? gui->inspector.Max.x : 0;
+    const float last =
+        gui->is_inspecting && gui->inspector.Min.x >= point.x ? gui->inspector.Min.x : display.x;
     float left =
-        point.x + 2 * line + width < display.x ? point.x + 2 * line : point.x - 2 * line - width;
+        point.x + 2 * line + width < last ? point.x + 2 * line : point.x - 2 * line - width;
     float upper = point.y + height / 2 < bottom ? point.y - height / 2 : bottom - height;
-    ImVec2 low(fmaxf(left, 0), fmaxf(upper, top));
+    ImVec2 low(fmaxf(left, first), fmaxf(upper, top));
     list->AddRectFilled(low, ImVec2(low.x + width, low.y + height),
                         ImGui::GetColorU32(ImGuiCol_PopupBg), ROUNDING * line);
     ImVec2 at(low.x + (width - cell * columns) / 2, low.y + gap);

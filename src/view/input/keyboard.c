@@ -49,6 +49,18 @@ static bool step_pixel_by_key(App *app, const Command *command, int modifiers) {
     return true;
 }
 
+/** Scrolls the formulas of the rays that are shown: Page Up and Page Down without Shift. @return
+ *  Whether the key is one for that. */
+static bool scroll_by_key(App *app, const Command *command, int modifiers) {
+    bool is_page =
+        command && command->move.subject == MOVE_CAMERA && command->move.axis == MOVE_FORWARD;
+    if (!is_page || !app->window.ray_view.is_open || modifiers & (KMOD_SHIFT | KMOD_CTRL)) {
+        return false;
+    }
+    ray_view_scroll(&app->window.ray_view, -command->move.sign);
+    return true;
+}
+
 /** @return The command of a key: while rays are shown, Space lets the next one fly. */
 static const Command *in_ray_view(const App *app, const Command *command) {
     bool flies =
@@ -94,7 +106,8 @@ void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
     if (is_down && handle_common_key(app, key->keysym, command)) {
         return;
     }
-    if (is_down && step_pixel_by_key(app, command, key->keysym.mod)) {
+    if (is_down && (step_pixel_by_key(app, command, key->keysym.mod) ||
+                    scroll_by_key(app, command, key->keysym.mod))) {
         return;
     }
     if (is_down && player_handle_digit(app, key->keysym.scancode)) {

@@ -35,6 +35,15 @@ int help_group(const Help *help, const Command *command) {
     return number;
 }
 
+const char *help_printed_name(SDL_Scancode scancode) {
+    const char *printed = SDL_GetKeyName(SDL_GetKeyFromScancode(scancode));
+    bool is_azerty = SDL_GetKeyFromScancode(SDL_SCANCODE_Q) == SDLK_a;
+    if (printed[0] == '\0' && scancode == SDL_SCANCODE_LEFTBRACKET && is_azerty) {
+        return "^"; // A dead key: SDL has no name for it.
+    }
+    return printed;
+}
+
 /** @return Name of a key, as on the keyboard in use; empty: none. */
 static const char *key_name(const CommandKey *key, bool by_letter) {
     if (key->label) {
@@ -43,7 +52,7 @@ static const char *key_name(const CommandKey *key, bool by_letter) {
     if (key->scancode == 0 || (by_letter && key->keycode != 0)) {
         return SDL_GetKeyName(key->keycode);
     }
-    const char *printed = SDL_GetKeyName(SDL_GetKeyFromScancode(key->scancode));
+    const char *printed = help_printed_name(key->scancode);
     return printed[0] != '\0' ? printed : SDL_GetScancodeName(key->scancode);
 }
 
@@ -55,9 +64,22 @@ static bool add_key_name(const char *name, char *text, size_t size) {
     return name[0] != '\0';
 }
 
+/** Appends a key of a command with what is held meanwhile, such as `Ctrl+Z`. @return Whether it has
+ *  a name. */
+static bool add_chord(const Command *command, const CommandKey *key, bool by_letter, char *text,
+                      size_t size) {
+    const char *name = key_name(key, by_letter);
+    char chord[GUI_LABEL_SIZE];
+    bool has_ctrl = command->flags & COMMAND_CTRL, has_shift = command->flags & COMMAND_SHIFT;
+    SDL_snprintf(chord, sizeof chord, "%s%s%s%s%s", has_ctrl ? gettext("Ctrl") : "",
+                 has_ctrl ? "+" : "", has_shift ? gettext("Shift") : "", has_shift ? "+" : "",
+                 name);
+    return add_key_name(name[0] != '\0' ? chord : "", text, size);
+}
+
 void help_key_names(const Command *command, bool by_letter, char *text, size_t size) {
     for (int i = 0; i < COMMAND_KEYS; i++) {
-        add_key_name(key_name(&command->keys[i], by_letter), text, size);
+        add_chord(command, &command->keys[i], by_letter, text, size);
     }
 }
 
@@ -76,8 +98,8 @@ static void add_keys(const Help *help, HelpList *list, const Command *command) {
     row->is_clickable = row->is_clickable || command->name;
     for (int i = 0; i < COMMAND_KEYS; i++) {
         int *count = &list->key_counts[last];
-        if (*count < HELP_KEYS_MAXIMUM && add_key_name(key_name(&command->keys[i], help->by_letter),
-                                                       row->label, GUI_LABEL_SIZE)) {
+        if (*count < HELP_KEYS_MAXIMUM &&
+            add_chord(command, &command->keys[i], help->by_letter, row->label, GUI_LABEL_SIZE)) {
             list->commands[last][(*count)++] = command->name ? command : NULL;
         }
     }

@@ -9,7 +9,7 @@
 #include "view/state/command.h"
 
 /** Most rows of the list of keys. */
-enum { HELP_ROWS_MAXIMUM = 64 };
+enum { HELP_ROWS_MAXIMUM = 96 };
 /** Most keys of a row. */
 enum { HELP_KEYS_MAXIMUM = 8 };
 
@@ -37,7 +37,11 @@ bool help_toggle(Help *help);
 /** Handles a key that selects a row, or runs it. @return Whether it is one. */
 bool help_handle_key(Help *help, SDL_Keycode key);
 
-/** Appends the names of a command's keys, as on the keyboard in use, parted by #GUI_KEY_GAP.
+/** @return What is printed on a key of the keyboard in use; empty: nothing that is known. */
+const char *help_printed_name(SDL_Scancode scancode);
+
+/** Appends the names of a command's keys with what is held meanwhile, such as `Ctrl+Z`, as on the
+ *  keyboard in use, parted by #GUI_KEY_GAP.
  *  @param by_letter See #command_find_key. */
 void help_key_names(const Command *command, bool by_letter, char *text, size_t size);
 

@@ -145,7 +145,7 @@ const char *key_cap_label(SDL_Scancode scancode) {
             return signs[i].label[0] ? gettext(signs[i].label) : "";
         }
     }
-    return SDL_GetKeyName(SDL_GetKeyFromScancode(scancode));
+    return help_printed_name(scancode);
 }
 
 /** Draws a key. */

@@ -6,7 +6,7 @@
 
 #include "base/language.h"
 #include "render/palette.h"
-#include "view/panels/pixel_readout.h"
+#include "view/panels/thing_title.h"
 
 #include <libintl.h>
 #include <stdarg.h>

@@ -5,6 +5,8 @@
 #include "view/panels/object_inspector.h"
 
 #include "base/language.h"
+#include "dioptre/scene_words.h"
+#include "view/panels/thing_title.h"
 
 #include <libintl.h>
 #include <math.h>
@@ -20,6 +22,9 @@ static const double DRAG_FRACTION = 0.005;
 static const double DRAG_SCENE_FRACTION = 0.002;
 /** Significant digits of a number that was dragged, so that it is short in a file. */
 enum { DRAG_DIGITS = 4 };
+
+/** Most words of a choice. */
+enum { CHOICES_MAXIMUM = 8 };
 
 /** What the widgets of one object need. */
 typedef struct WidgetContext {
@@ -58,34 +63,43 @@ static bool drag_numbers(const WidgetContext *context, const Parameter *row, dou
     for (int i = 0; i < count; i++) {
         before[i] = numbers[i];
     }
-    bool is_changed = gui_edit_numbers(row->name, numbers, count, row->minimum, row->maximum,
-                                       drag_speed(context, row, numbers), tooltip);
+    bool is_changed = gui_edit_numbers(scene_word(row->name), numbers, count, row->minimum,
+                                       row->maximum, drag_speed(context, row, numbers), tooltip);
     for (int i = 0; is_changed && i < count; i++) {
         numbers[i] = numbers[i] != before[i] ? shorten(numbers[i]) : before[i];
     }
     return is_changed;
 }
 
+/** Shows a list of words. @return Whether the user has chosen another one. */
+static bool show_choice(const Parameter *row, double *numbers, const char *tooltip) {
+    const char *names[CHOICES_MAXIMUM + 1] = {NULL};
+    for (int i = 0; i < CHOICES_MAXIMUM && row->choices[i]; i++) {
+        names[i] = scene_word(row->choices[i]);
+    }
+    return gui_edit_choice(scene_word(row->name), numbers, names, tooltip);
+}
+
 /** Shows the widget of a value. @return Whether the user has changed it. */
 static bool show_widget(const WidgetContext *context, const Parameter *row, double *numbers,
                         const char *tooltip) {
     bool is_narrow = row->maximum - row->minimum <= SLIDER_RANGE_MAXIMUM;
+    const char *name = scene_word(row->name);
     bool is_changed;
     switch (row->type) {
     case PARAMETER_COLOR:
-        return gui_edit_color(row->name, numbers, row->maximum, tooltip);
+        return gui_edit_color(name, numbers, row->maximum, tooltip);
     case PARAMETER_BOOLEAN:
-        return gui_edit_check(row->name, numbers, tooltip);
+        return gui_edit_check(name, numbers, tooltip);
     case PARAMETER_CHOICE:
-        return gui_edit_choice(row->name, numbers, row->choices, tooltip);
+        return show_choice(row, numbers, tooltip);
     case PARAMETER_INTEGER:
-        is_changed =
-            gui_edit_numbers(row->name, numbers, 1, row->minimum, row->maximum, 1, tooltip);
+        is_changed = gui_edit_numbers(name, numbers, 1, row->minimum, row->maximum, 1, tooltip);
         numbers[0] = round(numbers[0]);
         return is_changed;
     case PARAMETER_NUMBER:
         if (is_narrow) {
-            is_changed = gui_edit_slider(row->name, numbers, row->minimum, row->maximum, tooltip);
+            is_changed = gui_edit_slider(name, numbers, row->minimum, row->maximum, tooltip);
             numbers[0] = is_changed ? shorten(numbers[0]) : numbers[0];
             return is_changed;
         }
@@ -113,8 +127,9 @@ static void show_field(const WidgetContext *context, const Parameter *row, int r
     if (newest && !(content->is_light_moved && is_place(row))) {
         field = *newest;
     }
-    snprintf(tooltip, sizeof tooltip, "%s (%s)", gettext(row->help),
-             gettext(row->unit ? row->unit : row->name));
+    const char *unit = row->unit ? gettext(row->unit) : scene_word(row->name);
+    snprintf(tooltip, sizeof tooltip, gettext("%s (%s); in the scene file: %s"), gettext(row->help),
+             unit, row->name);
     if (show_widget(context, row, field.numbers, tooltip) && !content->is_read_only &&
         field.number > 0) {
         inspector->edit = field;
@@ -146,14 +161,23 @@ static int own_row_count(int keyword) {
     return count;
 }
 
-/** Writes what an object is: `sphere 2, line 35`. */
-static void write_name(const SceneObject *object, char name[LABEL_SIZE]) {
-    const char *keyword = scene_object_keyword(object->keyword)->name;
-    int number = object->origin->number, line = object->origin->line;
-    if (line > 0) {
-        snprintf(name, LABEL_SIZE, gettext("%s %d, line %d"), keyword, number, line);
+/** Names an object in as many words as its line has room for. */
+static void write_title(const Scene *scene, const SceneObject *object,
+                        char title[THING_TITLE_SIZE]) {
+    thing_title(scene, object, title);
+    if (gui_text_width(title) > gui_inspector_title_width()) {
+        thing_short_title(scene, object, title);
+    }
+}
+
+/** Writes what the scene file says of an object. */
+static void write_tooltip(const SceneObject *object, char tooltip[LABEL_SIZE]) {
+    const char *word = scene_object_keyword(object->keyword)->name;
+    if (object->origin->line > 0) {
+        snprintf(tooltip, LABEL_SIZE, gettext("in the scene file: %s, line %d"), word,
+                 object->origin->line);
     } else {
-        snprintf(name, LABEL_SIZE, "%s %d", keyword, number);
+        snprintf(tooltip, LABEL_SIZE, gettext("in a scene file: %s"), word);
     }
 }
 
@@ -171,15 +195,16 @@ static void show_material(const WidgetContext *context) {
     const Scene *scene = context->content->scene;
     size_t index = scene->shapes[context->object->index].material_index;
     SceneObject material = scene_object_of_material(scene, index);
-    char title[LABEL_SIZE], text[LABEL_SIZE];
+    char title[THING_TITLE_SIZE], text[LABEL_SIZE];
     if (material.origin->number == 0) {
         gui_paragraph(gettext("It has no material of its own."), GUI_COLOR_TEXT, 1);
         return;
     }
     WidgetContext own = *context;
     own.object = &material;
-    write_name(&material, title);
-    if (gui_inspector_section(title, true)) {
+    write_title(scene, &material, title);
+    write_tooltip(&material, text);
+    if (gui_inspector_section(title, text, true)) {
         size_t users = count_users(scene, index);
         if (users > 1) {
             snprintf(text, sizeof text, ngettext("%zu shape has it.", "%zu shapes have it.", users),
@@ -204,8 +229,8 @@ static void show_buttons(ObjectInspector *inspector, const ObjectInspectorConten
         const char *label;
         const char *tooltip;
     } buttons[] = {
-        {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl Z")},
-        {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl Y")},
+        {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl+Z")},
+        {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl+Y")},
         {INSPECTOR_COPY, N_("copy as scene text"), N_("its text with these values, to paste")},
         {INSPECTOR_WRITE, N_("write into the file"), N_("its changes, at the line that made it")},
         {INSPECTOR_RAYS, N_("rays of this pixel"), N_("of the pixel that was clicked")},
@@ -227,36 +252,7 @@ static double size_of_scene(const Scene *scene) {
                : scene->camera.target_distance;
 }
 
-void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
-    SceneObject object;
-    char title[LABEL_SIZE];
-    if (inspector->number == 0 ||
-        !scene_object_find(content->scene, inspector->keyword, inspector->number, &object)) {
-        return;
-    }
-    WidgetContext context = {inspector, content, &object, size_of_scene(content->scene)};
-    write_name(&object, title);
-    if (!gui_inspector_begin("object", title, content->top)) {
-        inspector->request = INSPECTOR_CLOSE;
-    }
-    if (!content->is_read_only) {
-        show_buttons(inspector, content);
-    }
-    int own = own_row_count(object.keyword);
-    show_fields(&context, 0, own);
-    if (scene_object_is_shape(object.keyword)) {
-        if (gui_inspector_section(gettext("transform"), object.transform != NULL)) {
-            show_fields(&context, own, -1);
-        }
-        show_material(&context);
-    }
-    if (!gui_is_editing()) {
-        inspector->is_continuing = false;
-    }
-    gui_inspector_end();
-}
-
-/* --- the outline ------------------------------------------------------------------------------ */
+/* --- where it lies ---------------------------------------------------------------------------- */
 
 /** @return Whether a point is in front of the camera. @param[out] place Where it is in the picture,
  *  pixels of the window. */
@@ -271,6 +267,62 @@ static bool project(const SceneCamera *camera, const SDL_Rect *picture, Vec3d po
         (float)(picture->y + picture->h / 2.0 - vec3d_dot(offset, camera->up) / ahead * scale);
     return ahead > 1e-6 * camera->target_distance;
 }
+
+/** Finds where an object is seen: where it was clicked, else its middle. @return Whether it is. */
+static bool find_place(const ObjectInspector *inspector, const ObjectInspectorContent *content,
+                       const SceneObject *object, GuiPoint *place) {
+    const SDL_Rect *picture = &content->picture;
+    const Scene *scene = content->scene;
+    if (inspector->has_pixel) {
+        *place = (GuiPoint){(float)(picture->x + content->pixel.u * picture->w),
+                            (float)(picture->y + content->pixel.v * picture->h)};
+        return true;
+    }
+    Vec3d middle;
+    if (scene_object_is_shape(object->keyword)) {
+        Aabbd box = scene_shape_facts(scene, &scene->shapes[object->index]).bounds;
+        middle = vec3d_scale(vec3d_add(box.low, box.high), 0.5);
+        return aabbd_is_bounded(box) && project(&scene->camera, picture, middle, place);
+    }
+    return scene_light_center(&scene->lights[object->index], &middle) &&
+           project(&scene->camera, picture, middle, place);
+}
+
+void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
+    SceneObject object;
+    char title[THING_TITLE_SIZE];
+    if (inspector->number == 0 ||
+        !scene_object_find(content->scene, inspector->keyword, inspector->number, &object)) {
+        return;
+    }
+    WidgetContext context = {inspector, content, &object, size_of_scene(content->scene)};
+    write_title(content->scene, &object, title);
+    GuiInspectorPlace place = {.top = content->top, .is_new = !inspector->was_shown};
+    char tooltip[LABEL_SIZE];
+    place.has_thing = find_place(inspector, content, &object, &place.thing);
+    inspector->was_shown = true;
+    write_tooltip(&object, tooltip);
+    if (!gui_inspector_begin("object", title, tooltip, &place)) {
+        inspector->request = INSPECTOR_CLOSE;
+    }
+    if (!content->is_read_only) {
+        show_buttons(inspector, content);
+    }
+    int own = own_row_count(object.keyword);
+    show_fields(&context, 0, own);
+    if (scene_object_is_shape(object.keyword)) {
+        if (gui_inspector_section(gettext("transform"), "", object.transform != NULL)) {
+            show_fields(&context, own, -1);
+        }
+        show_material(&context);
+    }
+    if (!gui_is_editing()) {
+        inspector->is_continuing = false;
+    }
+    gui_inspector_end();
+}
+
+/* --- the outline ------------------------------------------------------------------------------ */
 
 void object_inspector_outline(const ObjectInspector *inspector, const Scene *scene,
                               const SDL_Rect *picture) {

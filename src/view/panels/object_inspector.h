@@ -28,6 +28,7 @@ typedef struct ObjectInspector {
     int keyword;              /**< Keyword of the selected object, see #SceneOverride.keyword. */
     int number;               /**< Its number; 0: nothing is selected. */
     bool has_pixel;           /**< Whether it was selected by a click on a pixel. */
+    bool was_shown;           /**< Whether it was shown since it was selected. */
     bool is_continuing;       /**< Whether the next edit belongs to the one before. */
     bool has_edit;            /**< Whether the user requests #edit. */
     bool continues;           /**< Whether it belongs to the edit before. */
@@ -44,6 +45,9 @@ typedef struct ObjectInspectorContent {
     bool can_undo;              /**< Whether a change can be taken back. */
     bool can_redo;              /**< Whether one can be done again. */
     float top;                  /**< Upper edge at first, pixels of the window. */
+    SDL_Rect picture;           /**< Where the picture is, pixels of the window. */
+    Uvd pixel;                  /**< What was clicked if #ObjectInspector.has_pixel, fractions of
+                                     the picture. */
 } ObjectInspectorContent;
 
 /** Shows the inspector if an object is selected, and sets what the user requests. */

@@ -5,38 +5,13 @@
 #include "view/panels/pixel_readout.h"
 
 #include "base/language.h"
+#include "view/panels/thing_title.h"
 
 #include <libintl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-/** @return The number of a shape among those of its line, from 1; 0: it is the only one. */
-static int number_on_line(const Scene *scene, int shape) {
-    int before = 0, all = 0;
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        bool is_there = scene->shapes[i].origin.line == scene->shapes[shape].origin.line;
-        all += is_there;
-        before += is_there && i <= (size_t)shape;
-    }
-    return all > 1 ? before : 0;
-}
-
-void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]) {
-    const SceneShape *found = &scene->shapes[shape];
-    const char *keyword = scene_shape_keywords[found->class_index]->name;
-    int number = found->origin.line > 0 ? number_on_line(scene, shape) : 0;
-    if (number > 0) {
-        // A function of the scene file has made several.
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d, number %d"), keyword,
-                 found->origin.line, number);
-    } else if (found->origin.line > 0) {
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, line %d"), keyword, found->origin.line);
-    } else {
-        snprintf(title, SHAPE_TITLE_SIZE, gettext("%s, number %d"), keyword, shape + 1);
-    }
-}
 
 /** Appends to a readout. @param format As for printf. */
 static void append(char text[READOUT_SIZE], const char *format, ...)
@@ -53,7 +28,7 @@ static void append(char text[READOUT_SIZE], const char *format, ...) {
 /** Appends what the ray through the middle of the pixel meets. */
 static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
     const PixelReading *reading = &readout->readings[0];
-    char title[SHAPE_TITLE_SIZE] = "";
+    char title[THING_TITLE_SIZE] = "";
     if (reading->shape >= 0 && readout->scene &&
         (size_t)reading->shape < readout->scene->shape_count) {
         shape_title(readout->scene, reading->shape, title);
@@ -115,7 +90,10 @@ void pixel_readout_difference(const PixelReading readings[READOUT_PICTURES],
 
 void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
     text[0] = '\0';
-    append(text, "%d, %d", readout->x, readout->y);
+    append(text,
+           readout->is_magnified ? gettext("pixel %d %d in the magnifier")
+                                 : gettext("pixel %d %d under the mouse"),
+           readout->x, readout->y);
     append_shape(readout, text);
     if (readout->count == 1) {
         append(text, "   ");

@@ -12,8 +12,6 @@
 
 /** Bytes of the readout with the final zero. */
 enum { READOUT_SIZE = 512 };
-/** Bytes of the name of a shape with the final zero. */
-enum { SHAPE_TITLE_SIZE = 64 };
 /** Most pictures that a readout compares. */
 enum { READOUT_PICTURES = 2 };
 
@@ -22,12 +20,11 @@ typedef struct PixelReadout {
     const Scene *scene;                      /**< The scene; NULL: shapes have no name. */
     int x;                                   /**< The pixel's column. */
     int y;                                   /**< Its row. */
+    bool is_magnified;                       /**< Whether it is that of the magnifier, and not the
+                                                  one under the mouse. */
     PixelReading readings[READOUT_PICTURES]; /**< What it shows: in the left picture first. */
     size_t count;                            /**< Number of pictures. */
 } PixelReadout;
-
-/** Names a shape with its line, such as `sphere, line 35`, in the user's language. */
-void shape_title(const Scene *scene, int shape, char title[SHAPE_TITLE_SIZE]);
 
 /** Writes the value of one picture alone. */
 void pixel_readout_value(const PixelReading *reading, char text[READOUT_SIZE]);

@@ -139,6 +139,11 @@ void ray_view_toggle_pane(RayView *ray_view, RayPane pane) {
     redraw_rays(ray_view);
 }
 
+void ray_view_scroll(RayView *ray_view, int pages) {
+    ray_view->pages_to_scroll += pages;
+    ray_view->needs_present = true;
+}
+
 void ray_view_set_buttons(RayView *ray_view, double fraction) {
     if (fabs(fraction - ray_view->buttons_fraction) > BUTTONS_TOLERANCE) {
         ray_view->buttons_fraction = fraction;

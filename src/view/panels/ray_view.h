@@ -58,6 +58,8 @@ typedef struct RayView {
     char heading[RAY_VIEW_HEADING_SIZE];    /**< The pixel and its colour. */
     RayFormulas formulas;                   /**< Formulas of the chosen ray. */
     RayFormulas sum;                        /**< Its sum. */
+    int pages_to_scroll;                    /**< Pages by which the next frame scrolls formulas and
+                                                 sum. */
     RayViewRequest request;                 /**< What the user has clicked on. */
     double buttons_fraction; /**< Height of the row of buttons, fraction of the view of rays; 0: it
                                   was not shown yet. */
@@ -104,6 +106,9 @@ void ray_view_toggle_kind(RayView *ray_view, RayType kind);
 
 /** Shows a drawing beside the view, or takes it away. */
 void ray_view_toggle_pane(RayView *ray_view, RayPane pane);
+
+/** Scrolls formulas and sum. @param pages Pages down; negative: up. */
+void ray_view_scroll(RayView *ray_view, int pages);
 
 /** Turns all arrows round: along the light, or along the rays. */
 void ray_view_turn_arrows(RayView *ray_view);

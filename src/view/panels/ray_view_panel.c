@@ -183,6 +183,7 @@ static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rec
     if (is_new) {
         gui_scroll_to_top();
     }
+    gui_scroll_pages(ray_view->pages_to_scroll);
     snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
     gui_heading(text);
     show_formulas(&ray_view->sum);
@@ -225,6 +226,7 @@ static void show_chosen(const RayView *ray_view, const SDL_Rect *rect, bool is_n
     if (is_new) {
         gui_scroll_to_top();
     }
+    gui_scroll_pages(ray_view->pages_to_scroll);
     gui_heading(text);
     show_formulas(&ray_view->formulas);
     gui_panel_end();
@@ -286,5 +288,6 @@ void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *he
     const bool is_new = ray_view->frames_to_reveal > 0;
     show_list(ray_view, scene, &layout.list, is_new);
     show_chosen(ray_view, &layout.formulas, is_new);
+    ray_view->pages_to_scroll = 0;
     show_buttons(ray_view, help, area);
 }

@@ -12,6 +12,8 @@
 
 /** Part of the window's width for the panel. */
 static const float PANEL_WIDTH = 0.6F;
+/** Its least width, in heights of letters: beside the inspector it takes what is left. */
+static const float PANEL_WIDTH_MINIMUM = 18;
 /** Room below it for the readout, in heights of letters. */
 static const float READOUT_ROOM = 2;
 /** Room above it for a message, in heights of letters. */
@@ -135,7 +137,8 @@ void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *
                       .count = (int)panel->chart.count,
                       .notes = (const char *const[]){notes[0], notes[1]},
                       .note_count = 2};
-    float width = PANEL_WIDTH * (float)area->w;
+    float width = fminf((float)area->w,
+                        fmaxf(PANEL_WIDTH * (float)area->w, PANEL_WIDTH_MINIMUM * gui_text_size()));
     float height = (float)area->h - (READOUT_ROOM + TOAST_ROOM) * gui_text_size();
     GuiPoint corner = {(float)(area->x + area->w) - width,
                        (float)area->y + TOAST_ROOM * gui_text_size()};

@@ -137,8 +137,12 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
 void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
+    char text[TOOLTIP_SIZE];
     gui_bar_begin(toolbar->is_folded);
-    command_button(toolbar, content, "☰", "toolbar", !toolbar->is_folded);
+    request(toolbar, "toolbar",
+            gui_button("☰",
+                       tooltip_write_pair(content->help, "toolbar", "toolbar keys", ", ", text),
+                       !toolbar->is_folded));
     if (!toolbar->is_folded) {
         command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
         layer_choice(toolbar, content);

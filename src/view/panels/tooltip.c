@@ -23,7 +23,7 @@ typedef struct Sentence {
 
 /** The sentences, in the order of the bar; then those of the rays. */
 static const Sentence sentences[] = {
-    {"toolbar", N_("fold this bar, or unfold it")},
+    {"toolbar", N_("fold this bar, or unfold it; its buttons by keys")},
     {"scenes", N_("lessons and scenes: a list with pictures, or back to the picture")},
     {"layer light", N_("what each pixel shows: its light, or a number such as the distance, the "
                        "rays it took, rounding errors, acne")},
@@ -67,21 +67,15 @@ const char *tooltip_sentence(const char *name) {
     return NULL;
 }
 
-/** Appends the keys of a command with what must be held meanwhile. */
+/** Appends the keys of a command. */
 static void append_keys(const Help *help, const char *name, char keys[KEYS_SIZE]) {
     const Command *command = command_find(help->commands, name);
     char own[KEYS_SIZE] = "";
     size_t used = strlen(keys);
-    if (!command) {
-        return;
+    if (command) {
+        help_key_names(command, help->by_letter, own, sizeof own);
+        snprintf(keys + used, KEYS_SIZE - used, "%s", own);
     }
-    help_key_names(command, help->by_letter, own, sizeof own);
-    // A key with a name of its own names Shift itself.
-    bool names_shift = command->keys[0].label != NULL;
-    bool has_ctrl = command->flags & COMMAND_CTRL;
-    bool has_shift = command->flags & COMMAND_SHIFT && !names_shift;
-    snprintf(keys + used, KEYS_SIZE - used, "%s%s%s%s%s", has_ctrl ? gettext("Ctrl") : "",
-             has_ctrl ? " " : "", has_shift ? gettext("Shift") : "", has_shift ? " " : "", own);
 }
 
 const char *tooltip_write_pair(const Help *help, const char *name, const char *other,

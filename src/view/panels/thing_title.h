@@ -1,0 +1,23 @@
+/**
+ * @file
+ * @brief The names of shapes, lights and materials: what they are, and where the scene makes them.
+ */
+#ifndef DIOPTRE_VIEW_PANELS_THING_TITLE_H
+#define DIOPTRE_VIEW_PANELS_THING_TITLE_H
+
+#include "dioptre/scene_override.h"
+
+/** Bytes of a name with the final zero. */
+enum { THING_TITLE_SIZE = 128 };
+
+/** Names an object, such as `sphere (line 35 of the scene)`, in the user's language; with its
+ *  number among those of its kind where its line makes several. */
+void thing_title(const Scene *scene, const SceneObject *object, char title[THING_TITLE_SIZE]);
+
+/** The same where there is little room, such as `sphere (line 35)`. */
+void thing_short_title(const Scene *scene, const SceneObject *object, char title[THING_TITLE_SIZE]);
+
+/** Names a shape. See #thing_title. @param shape Its index. */
+void shape_title(const Scene *scene, int shape, char title[THING_TITLE_SIZE]);
+
+#endif

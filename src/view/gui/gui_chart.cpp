@@ -186,6 +186,16 @@ void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
         draw_chart_front(list, chart, area);
         draw_chart_points(list, chart, area);
     }
+    if (chart->count == 0 && chart->reason) {
+        const float room = high.x - low.x - 2 * gap;
+        const float half = text_extent(chart->reason, room).y / 2;
+        const float middle = fmaxf((area.low.y + area.high.y) / 2, area.low.y + half);
+        ImVec2 corner_of_reason(low.x + gap, middle - half);
+        list->AddRectFilled(corner_of_reason,
+                            ImVec2(corner_of_reason.x + room, corner_of_reason.y + 2 * half),
+                            ImGui::GetColorU32(ImGuiCol_PopupBg));
+        put_text(list, corner_of_reason, room, ACCENT, chart->reason);
+    }
     end_value(list);
 }
 

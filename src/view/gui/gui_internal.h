@@ -114,6 +114,9 @@ void end_value(ImDrawList *list);
 /** @return A colour that is darker. */
 ImU32 darker(ImU32 color);
 
+/** Has the widgets of a bar stand nearer to each other, until #gui_bar_end. */
+void push_bar_spacing();
+
 /** Places the next widget of the bar: in the line, or in the next one where it is too wide. */
 void place_in_bar(float width);
 

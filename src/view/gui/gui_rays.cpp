@@ -42,6 +42,7 @@ void gui_row_begin(const char *id, GuiPoint corner, float width) {
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::Begin(id, nullptr,
                  PANEL_FLAGS | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+    push_bar_spacing();
     ImGui::Dummy(ImVec2(0, 0));
     if (ImGui::IsWindowAppearing()) {
         gui_request_frames(current_gui()); // What lies below it learns its height.

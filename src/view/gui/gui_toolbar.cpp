@@ -8,6 +8,11 @@ namespace {
 
 /** Width of a slider, in heights of letters. */
 constexpr float SLIDER_WIDTH = 7;
+/** Gap between two widgets of a bar, in heights of letters: with that of panels, the words of a
+ *  French bar would need a fourth row. */
+constexpr float BAR_GAP = 0.2F;
+/** Space beside the words of such a widget, in heights of letters. */
+constexpr float BAR_PADDING = 0.33F;
 /** Opacity of the knob of a slider with a number on it, of 255. */
 constexpr int KNOB_ALPHA = 120;
 /** Size of the triangle that tells a list from a button, in heights of letters. */
@@ -25,6 +30,14 @@ void draw_triangle() {
 }
 
 } // namespace
+
+void push_bar_spacing() {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        ImVec2(BAR_GAP * ImGui::GetFontSize(), style.ItemSpacing.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(BAR_PADDING * ImGui::GetFontSize(), style.FramePadding.y));
+}
 
 void place_in_bar(float width) {
     float next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
@@ -86,11 +99,13 @@ void gui_bar_begin(bool is_folded) {
     ImGui::PopStyleVar();
     choose_first_widget(GUI_BAR);
     current_gui()->has_bar = true;
+    push_bar_spacing();
     ImGui::Dummy(ImVec2(0, 0));
 }
 
 float gui_bar_end() {
     float height = ImGui::GetWindowHeight();
+    ImGui::PopStyleVar(2);
     if (current_gui()->keyboard == GUI_BAR) {
         // The arrow right of the last button of a row goes to the next row.
         ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_WrapX);

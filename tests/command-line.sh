@@ -44,6 +44,11 @@ expect 2 '^dioptre: argument 2 of compare is empty$' 'an empty picture' "$dioptr
 for option in '-o' '--base-dir'; do
     expect 2 '^dioptre: --[a-z-]* takes a name, not '"''"'$' "empty $option" "$dioptre" render "$box" -o "$work/x.bmp" "$option" ''
 done
+expect 2 "^dioptre: --base-dir takes a folder that exists, not '$work/none'\$" 'a folder that is not there' \
+    "$dioptre" render "$box" -o "$work/x.bmp" --base-dir "$work/none"
+for size in ' 8x8' '+8x8' '8x 8' '8x' 'x8' '8x8x8'; do
+    expect 2 '^dioptre: --size takes WxH' "the size '$size'" "$dioptre" render "$box" -o "$work/x.bmp" -s "$size"
+done
 expect 2 'too many arguments: .-o' 'options after --' "$dioptre" render -- "$box" -o "$work/x.bmp"
 expect 0 '' 'the last of two sizes' "$dioptre" render "$box" -s 9x9 -o "$work/two.bmp" -s 4x3
 [ "$(stat -c %s "$work/two.bmp")" = 90 ] && ok 'counts' || fail "it has $(stat -c %s "$work/two.bmp") bytes"

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "dioptre/scene.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <getopt.h>
 #include <libintl.h>
@@ -15,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /** An option: one row of the table. A new option is a row here and a member of #Options. */
 typedef struct OptionSpec {
@@ -42,6 +44,18 @@ static bool parse_name(const OptionSpec *option, const char *text, Options *opti
     // Scripts give an empty name where a variable of theirs is not set.
     return *text ||
            error_set(error, STATUS_USAGE, "--%s takes a name, not '%s'", option->name, text);
+}
+
+/** Takes the name of a folder that exists. See #OptionSpec.parse. */
+static bool parse_folder(const OptionSpec *option, const char *text, Options *options,
+                         Error *error) {
+    struct stat info;
+    if (!parse_name(option, text, options, error)) {
+        return false;
+    }
+    return (stat(text, &info) == 0 && S_ISDIR(info.st_mode)) ||
+           error_set(error, STATUS_USAGE, "--%s takes a folder that exists, not '%s'", option->name,
+                     text);
 }
 
 /** Takes digits from 1 to 9. See #OptionSpec.parse. */
@@ -118,13 +132,13 @@ static bool parse_word(const OptionSpec *option, const char *text, Options *opti
 /** Parses a size: two integers with an x between them. See #OptionSpec.parse. */
 static bool parse_size(const OptionSpec *option, const char *text, Options *options, Error *error) {
     char *end = NULL;
-    long width = strtol(text, &end, 10);
+    // strtol would take blanks and a sign.
+    long width = isdigit((unsigned char)*text) ? strtol(text, &end, 10) : 0;
     long height = 0, maximum = (long)option->maximum;
-    bool is_pair = end != text && (*end == 'x' || *end == 'X');
+    bool is_pair = end && (*end == 'x' || *end == 'X') && isdigit((unsigned char)end[1]);
     if (is_pair) {
-        const char *second = end + 1;
-        height = strtol(second, &end, 10);
-        is_pair = end != second && !*end;
+        height = strtol(end + 1, &end, 10);
+        is_pair = !*end;
     }
     if (!is_pair || width < 1 || height < 1 || width > maximum || height > maximum) {
         return error_set(error, STATUS_USAGE,
@@ -222,7 +236,7 @@ static const OptionSpec option_specs[] = {
     {"budget", 0, N_("MS"), STORES(positive, budget), .maximum = BUDGET_MAXIMUM,
      .commands = COMMAND_NEEDS,
      .help = N_("find the best picture that takes no more milliseconds than that")},
-    {"base-dir", 0, N_("DIR"), STORES(name, base_dir), .commands = SCENES,
+    {"base-dir", 0, N_("DIR"), STORES(folder, base_dir), .commands = SCENES,
      .help = N_("where the files lie that the scene names")},
     {"seconds", 0, N_("S"), STORES(number, seconds), .commands = COMMAND_ANIMATE,
      .help = N_("how long the film lasts (default: 10)")},

@@ -89,6 +89,9 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
     if (length != strlen(name)) {
         lua_error_tr(L, "%s must not have a zero byte in its name", row->name);
     }
+    if (length == 0) {
+        lua_error_tr(L, "%s must name a file", row->name);
+    }
     lua_pushvalue(L, index);
     if (find_known_name(L, kind, &asset_index)) {
         return asset_index;

@@ -133,6 +133,10 @@ ImGuiWindowFlags navigation_flags(GuiKeyboard panel);
 /** Chooses the first widget of the present window, if the panel was just given the keyboard. */
 void choose_first_widget(GuiKeyboard panel);
 
+/** Begins a list to choose from, as ImGui::BeginCombo does. @param shown What is chosen. @return
+ *  Whether it is open: its entries follow, then ImGui::EndCombo. */
+bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags);
+
 /** Notes that a list is open below a widget. @param opener The widget. */
 void note_open_list(const ImRect &opener);
 

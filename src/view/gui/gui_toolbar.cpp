@@ -69,6 +69,19 @@ void choose_first_widget(GuiKeyboard panel) {
     }
 }
 
+bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), pad = ImGui::GetStyle().WindowPadding;
+    const float width = ImGui::CalcItemWidth();
+    // Whole pixels: else Dear ImGui makes the list too low by less than one, and lets it scroll.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad.x, roundf(pad.y)));
+    bool is_open = ImGui::BeginCombo(label, shown, flags);
+    ImGui::PopStyleVar();
+    if (is_open) {
+        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
+    }
+    return is_open;
+}
+
 void note_open_list(const ImRect &opener) {
     current_gui()->list_opener = opener;
 }
@@ -130,10 +143,8 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (ImGui::BeginCombo("##list", shown,
-                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
-        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
+    if (begin_list("##list", shown,
+                   ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
         if (ImGui::IsWindowAppearing()) {
             gui_request_frames(current_gui()); // The list finds its size.
         }

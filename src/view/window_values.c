@@ -248,7 +248,12 @@ void window_show_readout(const Window *window) {
 static void show_chart(const Window *window) {
     if (window->settings_chart.is_open) {
         SDL_Rect area = area_beside_inspector(window);
+        PixelReadout readout;
+        char text[READOUT_SIZE];
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
+        if (write_readout(window, &readout, text)) {
+            area.h = SDL_max(1, area.h - (int)ceilf(gui_readout_height(text)));
+        }
         settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
     }
 }

@@ -14,8 +14,6 @@
 static const float PANEL_WIDTH = 0.6F;
 /** Its least width, in heights of letters: beside the inspector it takes what is left. */
 static const float PANEL_WIDTH_MINIMUM = 18;
-/** Room below it for the readout, in heights of letters. */
-static const float READOUT_ROOM = 3;
 /** Room above it for a message, in heights of letters. */
 static const float TOAST_ROOM = 2.5F;
 /** Bytes of a note with the final zero. */
@@ -146,7 +144,7 @@ void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *
                       .note_count = 2};
     float width = fminf((float)area->w,
                         fmaxf(PANEL_WIDTH * (float)area->w, PANEL_WIDTH_MINIMUM * gui_text_size()));
-    float height = (float)area->h - (READOUT_ROOM + TOAST_ROOM) * gui_text_size();
+    float height = (float)area->h - TOAST_ROOM * gui_text_size();
     GuiPoint corner = {(float)(area->x + area->w) - width,
                        (float)area->y + TOAST_ROOM * gui_text_size()};
     gui_chart(&chart, corner, (GuiPoint){width, height});

@@ -102,10 +102,13 @@ for _ in 1 2 3 4 5; do xdotool key Down && sleep 0.2; done
 xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2
 for key in ampersand comma eacute agrave quotedbl; do xdotool key "$key" && sleep 0.1; done
 xdotool key Return && settled && xdotool key Escape && settled
-setxkbmap us && sleep 0.3
+setxkbmap us && sleep 0.5
 xdotool key ctrl+c && sleep 0.5
 tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, ' && ok 'AZERTY: digits without Shift, and a comma' || fail "$(tail -1 "$work/log")"
-xdotool key ctrl+z && sleep 0.5
+xdotool key ctrl+z
+# is_undone: whether the value of before is back.
+is_undone() { xdotool key ctrl+c && sleep 0.3 && tail -1 "$work/log" | grep -q '^sphere { radius = 0.5, '; }
+within is_undone
 xdotool key ctrl+shift+s
 has_copy() { [ -s "$work/shots/ball-copy-0001.lua" ]; }
 within has_copy

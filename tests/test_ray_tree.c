@@ -529,6 +529,55 @@ static void test_view(void **state) {
     }
 }
 
+/** @return Whether a drawing numbers a ray. */
+static bool is_numbered(const RayDrawing *drawing, size_t ray) {
+    RayLabel labels[RAY_LABELS_MAXIMUM];
+    LabelBox boxes[RAY_LABELS_MAXIMUM];
+    size_t count = ray_drawing_labels(drawing, labels, boxes);
+    for (size_t i = 0; i < count; i++) {
+        if (labels[i].ray == ray) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Of many rays only the chosen one has its number, with those that it comes from, begins and has
+ *  beside it; and the one under the mouse. */
+static void test_numbers(void **state) {
+    (void)state;
+    Error error = {0};
+    RayTree tree = {0};
+    Scene *scene = load_scene("scenes/glass-sphere.lua");
+    RenderSettings settings = small_settings(scene, "auto", 1);
+    Renderer *renderer = create_renderer(scene, &settings);
+    assert_true(renderer_record_ray_tree(renderer, WIDTH / 2, HEIGHT / 2, &tree, &error));
+    assert_true(tree.count > 12);
+    OrbitCamera orbit = orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 800, 600);
+    RayDrawing drawing = {
+        .tree = &tree, .orbit = &orbit, .view = orbit_camera_project(&orbit, 800, 600)};
+    size_t last = tree.count - 1, numbered = 0;
+    drawing.selected = last;
+    for (size_t i = 0; i < tree.count; i++) {
+        bool is_parent = (int)i == tree.nodes[last].parent, is_first = i == 0;
+        bool is_beside = i > 0 && tree.nodes[i].parent == tree.nodes[last].parent;
+        numbered += is_numbered(&drawing, i);
+        assert_true(is_numbered(&drawing, i) || !(is_parent || is_first || is_beside));
+    }
+    assert_true(numbered < tree.count / 2);
+    for (size_t i = 0; i < tree.count; i++) {
+        ProjectedRay line;
+        drawing.hovered = i + 1;
+        assert_true(is_numbered(&drawing, i) || !ray_drawing_project(&drawing, i, &line));
+    }
+    drawing.hovered = 0;
+    drawing.selected = RAY_DRAWING_UNSELECTED;
+    assert_true(is_numbered(&drawing, 1) && is_numbered(&drawing, tree.count / 2));
+    ray_tree_deinit(&tree);
+    renderer_destroy(renderer);
+    scene_destroy(scene);
+}
+
 /** Choosing rays: by steps, in flight, at a point of the picture; hidden kinds are passed over.
  *  @param input Shows a pixel with shadow rays. */
 static void check_choosing(RayView *ray_view, const RayViewInput *input) {
@@ -612,7 +661,7 @@ int main(void) {
         cmocka_unit_test(test_closed_forms),  cmocka_unit_test(test_far_away),
         cmocka_unit_test(test_visible_light), cmocka_unit_test(test_projection),
         cmocka_unit_test(test_view),          cmocka_unit_test(test_ray_view),
-        cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_sums),          cmocka_unit_test(test_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

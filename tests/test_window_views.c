@@ -99,6 +99,8 @@ static void check_lesson_panel(Fixture *fixture) {
     Lesson *lesson = script_load_lesson("scenes/lessons/03-glass.lua", &actions, &error);
     assert_non_null(lesson);
     int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
+    int before[2], after[2];
+    SDL_GetWindowSize(fixture->window.sdl.window, &before[0], &before[1]);
     LessonPanel panel = {.lesson = lesson, .answers = answers};
     for (size_t i = 0; i < lesson->count; i++) {
         panel.stop = i;
@@ -126,6 +128,8 @@ static void check_lesson_panel(Fixture *fixture) {
         assert_non_null(find_text(fixture, words)); // Each is told, with its answer.
     }
     window_set_lesson_panel(&fixture->window, &(LessonPanel){0});
+    SDL_GetWindowSize(fixture->window.sdl.window, &after[0], &after[1]);
+    assert_memory_equal(before, after, sizeof before); // A class would see it jump.
     lesson_destroy(lesson);
 }
 

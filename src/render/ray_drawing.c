@@ -211,6 +211,31 @@ static size_t add_label(const RayDrawing *drawing, size_t ray, size_t count, Ray
     return count + 1;
 }
 
+/** Rays that all have their numbers. */
+enum { RAYS_WITH_NUMBERS = 10 };
+
+/** @return Whether a ray comes from another, at once or after others. */
+static bool comes_from(const RayTree *tree, size_t ray, size_t ancestor) {
+    while (ray > ancestor) { // A parent stands before its children.
+        ray = (size_t)tree->nodes[ray].parent;
+    }
+    return ray == ancestor;
+}
+
+/** @return Whether a ray has its number. See #ray_drawing_labels. */
+static bool has_number(const RayDrawing *drawing, size_t ray) {
+    const RayTree *tree = drawing->tree;
+    const size_t selected = drawing->selected;
+    if (tree->count <= RAYS_WITH_NUMBERS || selected >= tree->count ||
+        ray + 1 == drawing->hovered) {
+        return true;
+    }
+    bool is_beside =
+        ray > 0 && selected > 0 && tree->nodes[ray].parent == tree->nodes[selected].parent;
+    bool is_begun = ray > 0 && (size_t)tree->nodes[ray].parent == selected;
+    return is_beside || is_begun || comes_from(tree, selected, ray);
+}
+
 size_t ray_drawing_labels(const RayDrawing *drawing, RayLabel labels[RAY_LABELS_MAXIMUM],
                           LabelBox boxes[RAY_LABELS_MAXIMUM]) {
     size_t count = 0;
@@ -218,7 +243,7 @@ size_t ray_drawing_labels(const RayDrawing *drawing, RayLabel labels[RAY_LABELS_
         count = add_label(drawing, drawing->selected, count, labels, boxes);
     }
     for (size_t i = 0; i < drawing->tree->count && count < RAY_LABELS_MAXIMUM; i++) {
-        if (i != drawing->selected) {
+        if (i != drawing->selected && has_number(drawing, i)) {
             count = add_label(drawing, i, count, labels, boxes);
         }
     }

@@ -46,6 +46,7 @@ typedef struct RayDrawing {
     const OrbitCamera *orbit; /**< The camera's orbit. */
     ProjectedView view;       /**< What the camera sees. */
     size_t selected;          /**< Index of a ray that is drawn thicker, and all others dim. */
+    size_t hovered;           /**< Index of a ray that has its number anyway, plus 1; 0: none. */
     double text_size;         /**< Height of letters; 0: it follows from the size of the view. */
     unsigned hidden_kinds;    /**< Kinds of rays that are not drawn: bit i is #RayType i. */
     bool is_along_light;      /**< Whether arrows show the way of the light, not of the rays. */
@@ -67,7 +68,9 @@ typedef struct RayLabel {
 } RayLabel;
 
 /**
- * Finds where the rays are whose numbers are shown, the selected one first.
+ * Finds where the rays are whose numbers are shown, the selected one first. Where there are many
+ * rays, and one is selected, the others that have one are those that it comes from, begins, and has
+ * beside it: the numbers of all would hide what the rays go through.
  * @param[out] labels  The numbers.
  * @param[out] boxes   Their lines, the rays; the sizes of the texts are not set.
  * @return How many there are.

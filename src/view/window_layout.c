@@ -9,6 +9,9 @@
 /** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
  *  still 1/30 of the window, which can be read from the last row of a class. */
 static const float ROWS_BELOW_TOOLBAR = 26;
+/** The same with the panel of a lesson below the picture: the window does not grow for it, and its
+ *  letters are still 1/30 of what is above it. */
+static const float ROWS_ABOVE_PANEL = 24;
 /** Smallest height of letters, screen units. */
 static const float TEXT_SIZE_MINIMUM = 14;
 /** Largest part of the window's height for the bar. */
@@ -83,8 +86,8 @@ SDL_Rect window_split_off_panel(const Window *window, SDL_Rect *area) {
         return panel;
     }
     // Its letters are those of a window without the panel.
-    letter = text_scale *
-             fmax(least, area->h / ((double)ROWS_BELOW_TOOLBAR + PANEL_HEIGHT * text_scale));
+    letter =
+        text_scale * fmax(least, area->h / ((double)ROWS_ABOVE_PANEL + PANEL_HEIGHT * text_scale));
     panel.h = SDL_clamp((int)(PANEL_HEIGHT * letter + 0.5), 1, area->h / 2 + 1);
     area->h = SDL_max(1, area->h - panel.h);
     panel.y += area->h;
@@ -144,8 +147,11 @@ float window_text_size(const Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
     window_size_below_toolbar(window, &width, &height);
+    const float rows = window_area(window).h < window_area_below_toolbar(window).h
+                           ? ROWS_ABOVE_PANEL
+                           : ROWS_BELOW_TOOLBAR;
     // Whole units: the bar keeps its height while the window gains a pixel.
-    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / ROWS_BELOW_TOOLBAR));
+    return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / rows));
 }
 
 /* --- the size of the window ------------------------------------------------------------------- */
@@ -157,7 +163,7 @@ static int height_to_use(const Window *window, int picture) {
     bool is_below = window_split_off_panel(window, &area).y > area.y;
     double text_scale = window->text_scale > 0 ? window->text_scale : 1;
     double least = (double)TEXT_SIZE_MINIMUM * window_pixels_per_unit(window);
-    double letter = text_scale * fmax(least, picture / (double)ROWS_BELOW_TOOLBAR);
+    double letter = text_scale * fmax(least, picture / (double)ROWS_ABOVE_PANEL);
     return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
 }
 
@@ -230,7 +236,9 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     bool is_other = !window->lesson_panel.lesson != !panel->lesson;
     window->lesson_panel = *panel;
     if (is_other && window->gui) {
-        window_relayout_toolbar(window);
+        // The window keeps its size: a class would see it jump.
+        layout_toolbar(window);
+        window_on_resize(window);
     } else if (window->gui) {
         window_present(window);
     }

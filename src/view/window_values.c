@@ -10,7 +10,7 @@
 static const float RING_RADIUS = 0.8F;
 /** Radius of the ring around the pixel that is magnified, in heights of letters. */
 static const float MAGNIFIED_RADIUS = 0.5F;
-/** Room below a legend for the readout of one picture and of two, in heights of letters. */
+/** Least room below a legend for the readout of one picture and of two, in heights of letters. */
 static const float READOUT_ROOMS[WINDOW_VIEWPORTS] = {2, 5};
 
 /* --- where things are ------------------------------------------------------------------------- */
@@ -76,6 +76,34 @@ static SDL_Rect area_beside_inspector(const Window *window) {
     return area;
 }
 
+/* --- what a pixel shows ----------------------------------------------------------------------- */
+
+/** Reads a pixel of all pictures. @return false if one has no pass yet. */
+static bool read_pixels(const Window *window, int x, int y, PixelReadout *readout) {
+    *readout = (PixelReadout){
+        .scene = window->state.scene, .x = x, .y = y, .is_magnified = window->magnifier.is_on};
+    for (size_t i = 0; i < window_viewport_count(window); i++) {
+        Renderer *renderer = window->viewports[i].renderer;
+        if (!renderer || !renderer_read_pixel(renderer, x, y, &readout->readings[i])) {
+            return false;
+        }
+        readout->count++;
+    }
+    return true;
+}
+
+/** Writes what the pixel shows that is named. @return Whether the readout is to be shown. */
+static bool write_readout(const Window *window, PixelReadout *readout, char text[READOUT_SIZE]) {
+    PixelPosition pixel;
+    bool is_wanted = window->magnifier.is_on || !window->toolbar.is_folded;
+    if (!is_wanted || window->hint.text[0] != '\0' || !window_named_pixel(window, &pixel) ||
+        !read_pixels(window, pixel.x, pixel.y, readout)) {
+        return false;
+    }
+    pixel_readout_write(readout, text);
+    return true;
+}
+
 /* --- legends ---------------------------------------------------------------------------------- */
 
 /** Draws the legend of a viewport. @param area The window without its bar, screen units. @return
@@ -100,7 +128,12 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
                        .swatch_count = (int)legend->entry_count,
                        .notes = notes,
                        .note_count = (int)legend->note_count};
+    PixelReadout readout;
+    char text[READOUT_SIZE];
     float gap = READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size();
+    if (write_readout(window, &readout, text)) {
+        gap = fmaxf(gap, gui_readout_height(text));
+    }
     const GuiLegendPlace place = {.corner = {(float)(is_right ? area->x + area->w : area->x),
                                              (float)(area->y + area->h) - gap},
                                   .highest = (float)area->h - gap,
@@ -163,20 +196,6 @@ static void show_all_rings(const Window *window) {
 
 /* --- one pixel -------------------------------------------------------------------------------- */
 
-/** Reads a pixel of all pictures. @return false if one has no pass yet. */
-static bool read_pixels(const Window *window, int x, int y, PixelReadout *readout) {
-    *readout = (PixelReadout){
-        .scene = window->state.scene, .x = x, .y = y, .is_magnified = window->magnifier.is_on};
-    for (size_t i = 0; i < window_viewport_count(window); i++) {
-        Renderer *renderer = window->viewports[i].renderer;
-        if (!renderer || !renderer_read_pixel(renderer, x, y, &readout->readings[i])) {
-            return false;
-        }
-        readout->count++;
-    }
-    return true;
-}
-
 /** Draws a pixel of the magnifier, with those around it. */
 static void show_magnifier(const Window *window) {
     const Viewport *viewport = &window->viewports[0];
@@ -215,26 +234,26 @@ void window_follow_mouse(Window *window) {
 }
 
 void window_show_readout(const Window *window) {
-    PixelPosition pixel;
     PixelReadout readout;
     char text[READOUT_SIZE];
-    bool is_wanted = window->magnifier.is_on || !window->toolbar.is_folded;
-    if (!is_wanted || window->hint.text[0] != '\0' || !window_named_pixel(window, &pixel) ||
-        !read_pixels(window, pixel.x, pixel.y, &readout)) {
-        return;
+    if (write_readout(window, &readout, text)) {
+        GuiRect area = window_area_units(window);
+        size_t side = is_right_side(window, readout.x) ? 1 : 0;
+        gui_readout("readout", text, readout.readings[side].rgb,
+                    (GuiPoint){area.x, area.y + area.height});
     }
-    GuiRect area = window_area_units(window);
-    pixel_readout_write(&readout, text);
-    size_t side = is_right_side(window, pixel.x) ? 1 : 0;
-    gui_readout("readout", text, readout.readings[side].rgb,
-                (GuiPoint){area.x, area.y + area.height});
 }
 
 /** Shows the chart of settings, if it is open. */
 static void show_chart(const Window *window) {
     if (window->settings_chart.is_open) {
         SDL_Rect area = area_beside_inspector(window);
+        PixelReadout readout;
+        char text[READOUT_SIZE];
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
+        if (write_readout(window, &readout, text)) {
+            area.h = SDL_max(1, area.h - (int)ceilf(gui_readout_height(text)));
+        }
         settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
     }
 }

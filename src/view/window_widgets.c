@@ -104,6 +104,12 @@ static void show_rays(Window *window) {
     if (window->ray_view.is_open && !is_covered && window->state.scene) {
         double scale = window_pixels_per_unit(window);
         SDL_Rect area = window_to_units(window, window_area(window));
+        int x = 0, y = 0;
+        size_t hovered = 0;
+        SDL_GetMouseState(&x, &y);
+        bool is_hovered = !gui_has_mouse() && SDL_GetMouseFocus() == window->sdl.window &&
+                          window_ray_at(window, x, y, &hovered);
+        window->ray_view.hovered = is_hovered ? hovered + 1 : 0;
         ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
     }
 }

@@ -426,6 +426,7 @@ typedef struct GuiChart {
     const char *y_label;         /**< What its left axis measures, with unit. */
     const GuiChartPoint *points; /**< The points. */
     int count;                   /**< Number of them. */
+    const char *reason;          /**< Why there are none; NULL: it need not be said. */
     const char *const *notes;    /**< What else is to be said. */
     int note_count;              /**< Number of them. */
 } GuiChart;

@@ -141,16 +141,21 @@ void draw_chart_points(ImDrawList *list, const GuiChart *chart, const ChartArea 
     }
 }
 
-/** Lists the points, the last ones where not all fit. @param bottom Lower end of the list.
- *  @return Its upper end. */
-float draw_chart_list(ImDrawList *list, const GuiChart *chart, ImVec2 low, float bottom) {
-    const float line = ImGui::GetFontSize();
-    for (int i = chart->count; i-- > 0 && bottom - line > low.y;) {
+/** Lists the points, the last ones where not all fit. @param bottom Lower end of the list. @param
+ *  width Its width. @return Its upper end. */
+float draw_chart_list(ImDrawList *list, const GuiChart *chart, ImVec2 low, float bottom,
+                      float width) {
+    const float left = 2 * ImGui::GetFontSize();
+    for (int i = chart->count; i-- > 0;) {
         const GuiChartPoint &point = chart->points[i];
-        bottom -= line;
-        put_text(list, ImVec2(low.x, bottom), 0, point.is_front ? ACCENT : TEXT, point.label);
-        put_text(list, ImVec2(low.x + 2 * line, bottom), 0, point.is_front ? ACCENT : TEXT,
-                 point.name);
+        const ImU32 color = point.is_front ? ACCENT : TEXT;
+        const float height = text_extent(point.name, width - left).y;
+        if (bottom - height <= low.y) {
+            break;
+        }
+        bottom -= height;
+        put_text(list, ImVec2(low.x, bottom), 0, color, point.label);
+        put_text(list, ImVec2(low.x + left, bottom), width - left, color, point.name);
     }
     return bottom;
 }
@@ -174,7 +179,7 @@ void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
         put_text(list, ImVec2(at.x, bottom), width, TEXT, chart->notes[i]);
     }
     float list_top = at.y + CHART_PLOT_FRACTION * size.y;
-    bottom = draw_chart_list(list, chart, ImVec2(at.x, list_top), bottom - gap);
+    bottom = draw_chart_list(list, chart, ImVec2(at.x, list_top), bottom - gap, width);
     ChartArea area = {ImVec2(at.x + CHART_NUMBER_WIDTH * line, at.y + line),
                       ImVec2(high.x - 2 * line, bottom - 2.5F * line - 2 * gap),
                       chart_range(chart, true), chart_range(chart, false)};
@@ -185,6 +190,16 @@ void gui_chart(const GuiChart *chart, GuiPoint corner, GuiPoint size) {
         draw_chart_grid(list, area);
         draw_chart_front(list, chart, area);
         draw_chart_points(list, chart, area);
+    }
+    if (chart->count == 0 && chart->reason) {
+        const float room = high.x - low.x - 2 * gap;
+        const float half = text_extent(chart->reason, room).y / 2;
+        const float middle = fmaxf((area.low.y + area.high.y) / 2, area.low.y + half);
+        ImVec2 corner_of_reason(low.x + gap, middle - half);
+        list->AddRectFilled(corner_of_reason,
+                            ImVec2(corner_of_reason.x + room, corner_of_reason.y + 2 * half),
+                            ImGui::GetColorU32(ImGuiCol_PopupBg));
+        put_text(list, corner_of_reason, room, ACCENT, chart->reason);
     }
     end_value(list);
 }

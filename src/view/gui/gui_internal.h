@@ -114,6 +114,9 @@ void end_value(ImDrawList *list);
 /** @return A colour that is darker. */
 ImU32 darker(ImU32 color);
 
+/** Has the widgets of a bar stand nearer to each other, until #gui_bar_end. */
+void push_bar_spacing();
+
 /** Places the next widget of the bar: in the line, or in the next one where it is too wide. */
 void place_in_bar(float width);
 
@@ -129,6 +132,10 @@ ImGuiWindowFlags navigation_flags(GuiKeyboard panel);
 
 /** Chooses the first widget of the present window, if the panel was just given the keyboard. */
 void choose_first_widget(GuiKeyboard panel);
+
+/** Begins a list to choose from, as ImGui::BeginCombo does. @param shown What is chosen. @return
+ *  Whether it is open: its entries follow, then ImGui::EndCombo. */
+bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags);
 
 /** Notes that a list is open below a widget. @param opener The widget. */
 void note_open_list(const ImRect &opener);

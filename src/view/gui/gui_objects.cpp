@@ -304,10 +304,7 @@ bool gui_edit_check(const char *label, double *number, const char *tooltip) {
 bool gui_edit_choice(const char *label, double *number, const char *const *words,
                      const char *tooltip) {
     const int before = static_cast<int>(*number);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (ImGui::BeginCombo(label, words[before])) {
-        note_open_list(
-            ImRect(low, ImVec2(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight())));
+    if (begin_list(label, words[before], ImGuiComboFlags_None)) {
         for (int i = 0; words[i]; i++) {
             if (ImGui::Selectable(words[i], i == before)) {
                 *number = i;

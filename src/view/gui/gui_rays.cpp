@@ -17,6 +17,9 @@ constexpr float SHORT_LABEL_FRACTION = 0.3F;
 /** Largest part of a list's width by which a row is moved. */
 constexpr float INDENT_FRACTION = 0.2F;
 
+/** Width of a row's colour with the gap behind it, in heights of letters. */
+constexpr float ROW_COLOR_WIDTH = 0.75F;
+
 /** @return The width of the longest word of a text, which no line can break. */
 float widest_word(const char *text) {
     float widest = 0;
@@ -42,6 +45,7 @@ void gui_row_begin(const char *id, GuiPoint corner, float width) {
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::Begin(id, nullptr,
                  PANEL_FLAGS | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+    push_bar_spacing();
     ImGui::Dummy(ImVec2(0, 0));
     if (ImGui::IsWindowAppearing()) {
         gui_request_frames(current_gui()); // What lies below it learns its height.
@@ -66,12 +70,13 @@ void gui_list_text(const char *label, const char *text) {
 bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
                   bool is_selected, bool is_revealed) {
     const float size = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-    const float free_width = fmaxf(0, width - size - widest_word(text));
+    const float colored = ROW_COLOR_WIDTH * size;
+    const float free_width = fmaxf(0, width - colored - widest_word(text));
     const float left = fminf(ROW_INDENT * size * static_cast<float>(indent),
                              fminf(INDENT_FRACTION * width, free_width));
     ImGui::PushID(number);
     ImVec2 corner = ImGui::GetCursorScreenPos();
-    float room = width - left - size;
+    float room = width - left - colored;
     bool is_clicked =
         ImGui::Selectable("##row", is_selected, 0, ImVec2(0, text_extent(text, room).y));
     ImDrawList *list = ImGui::GetWindowDrawList();
@@ -79,7 +84,7 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
     list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
                         IM_COL32(rgb[0], rgb[1], rgb[2], 255));
     list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
-    put_text(ImVec2(low.x + size, corner.y), room, is_selected ? ACCENT : TEXT, text);
+    put_text(ImVec2(low.x + colored, corner.y), room, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
         // Always the same place, wherever the list was scrolled to.
         const float scrolled = ImGui::GetScrollY() - ImGui::GetWindowPos().y;

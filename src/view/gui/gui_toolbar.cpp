@@ -8,6 +8,11 @@ namespace {
 
 /** Width of a slider, in heights of letters. */
 constexpr float SLIDER_WIDTH = 7;
+/** Gap between two widgets of a bar, in heights of letters: with that of panels, the words of a
+ *  French bar would need a fourth row. */
+constexpr float BAR_GAP = 0.2F;
+/** Space beside the words of such a widget, in heights of letters. */
+constexpr float BAR_PADDING = 0.33F;
 /** Opacity of the knob of a slider with a number on it, of 255. */
 constexpr int KNOB_ALPHA = 120;
 /** Size of the triangle that tells a list from a button, in heights of letters. */
@@ -25,6 +30,14 @@ void draw_triangle() {
 }
 
 } // namespace
+
+void push_bar_spacing() {
+    const ImGuiStyle &style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        ImVec2(BAR_GAP * ImGui::GetFontSize(), style.ItemSpacing.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(BAR_PADDING * ImGui::GetFontSize(), style.FramePadding.y));
+}
 
 void place_in_bar(float width) {
     float next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
@@ -54,6 +67,19 @@ void choose_first_widget(GuiKeyboard panel) {
         ImGui::GetCurrentContext()->NavDisableHighlight = false;
         gui->takes_focus = false;
     }
+}
+
+bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), pad = ImGui::GetStyle().WindowPadding;
+    const float width = ImGui::CalcItemWidth();
+    // Whole pixels: else Dear ImGui makes the list too low by less than one, and lets it scroll.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad.x, roundf(pad.y)));
+    bool is_open = ImGui::BeginCombo(label, shown, flags);
+    ImGui::PopStyleVar();
+    if (is_open) {
+        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
+    }
+    return is_open;
 }
 
 void note_open_list(const ImRect &opener) {
@@ -86,11 +112,13 @@ void gui_bar_begin(bool is_folded) {
     ImGui::PopStyleVar();
     choose_first_widget(GUI_BAR);
     current_gui()->has_bar = true;
+    push_bar_spacing();
     ImGui::Dummy(ImVec2(0, 0));
 }
 
 float gui_bar_end() {
     float height = ImGui::GetWindowHeight();
+    ImGui::PopStyleVar(2);
     if (current_gui()->keyboard == GUI_BAR) {
         // The arrow right of the last button of a row goes to the next row.
         ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_WrapX);
@@ -115,10 +143,8 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (ImGui::BeginCombo("##list", shown,
-                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
-        note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
+    if (begin_list("##list", shown,
+                   ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest)) {
         if (ImGui::IsWindowAppearing()) {
             gui_request_frames(current_gui()); // The list finds its size.
         }

@@ -11,9 +11,10 @@
 #include <libintl.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /** Bytes of a title or a tooltip with the final zero. */
-enum { LABEL_SIZE = 256 };
+enum { LABEL_SIZE = 512 };
 /** Widest range of a number that a slider shows; others are dragged. */
 static const double SLIDER_RANGE_MAXIMUM = 1;
 /** How much a pixel of a drag changes a number, as a fraction of it. */
@@ -130,6 +131,12 @@ static void show_field(const WidgetContext *context, const Parameter *row, int r
     const char *unit = row->unit ? gettext(row->unit) : scene_word(row->name);
     snprintf(tooltip, sizeof tooltip, gettext("%s (%s); in the scene file: %s"), gettext(row->help),
              unit, row->name);
+    if (row->type == PARAMETER_COLOR) {
+        size_t used = strlen(tooltip);
+        snprintf(tooltip + used, sizeof tooltip - used, "\n%s",
+                 gettext("☼: its brightness, the largest of red, green and blue; the square: its "
+                         "hue, by a click"));
+    }
     if (show_widget(context, row, field.numbers, tooltip) && !content->is_read_only &&
         field.number > 0) {
         inspector->edit = field;

@@ -236,6 +236,7 @@ RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view) {
                         .orbit = &ray_view->orbit,
                         .view = orbit_camera_project(&ray_view->orbit, view->w, view->h),
                         .selected = ray_view->selected,
+                        .hovered = ray_view->hovered,
                         .hidden_kinds = ray_view->hidden_kinds,
                         .is_along_light = ray_view->is_along_light,
                         .hides_selected = ray_view->flight_start > 0};

@@ -42,6 +42,7 @@ typedef struct RayView {
     RayTree ray_tree;      /**< The rays. */
     OrbitCamera orbit;     /**< The second camera. */
     size_t selected;       /**< Index of the chosen ray. */
+    size_t hovered;        /**< Index of the ray under the mouse, plus 1; 0: none. */
     unsigned hidden_kinds; /**< Kinds of rays that are hidden: bit i is #RayType i. */
     double flight_start;   /**< When the chosen ray began its flight, seconds; 0: it is still. */
     int frames_to_reveal;  /**< Frames in which the list scrolls to the chosen ray. */

@@ -14,8 +14,6 @@
 static const float PANEL_WIDTH = 0.6F;
 /** Its least width, in heights of letters: beside the inspector it takes what is left. */
 static const float PANEL_WIDTH_MINIMUM = 18;
-/** Room below it for the readout, in heights of letters. */
-static const float READOUT_ROOM = 2;
 /** Room above it for a message, in heights of letters. */
 static const float TOAST_ROOM = 2.5F;
 /** Bytes of a note with the final zero. */
@@ -95,8 +93,7 @@ bool settings_chart_panel_update(SettingsChartPanel *panel, const Viewport *view
 }
 
 /** Writes what is measured, and how. */
-static void write_notes(const SettingsChartPanel *panel, const Viewport *viewport,
-                        char notes[2][NOTE_SIZE]) {
+static void write_notes(const SettingsChartPanel *panel, char notes[2][NOTE_SIZE]) {
     snprintf(
         notes[0], NOTE_SIZE,
         gettext("Time: of this picture. Error: of one of %d pixels, against %d samples in double."),
@@ -105,12 +102,19 @@ static void write_notes(const SettingsChartPanel *panel, const Viewport *viewpor
         snprintf(notes[1], NOTE_SIZE, gettext("Measuring %s"), panel->pending[0].point.name);
     } else if (panel->has_failed) {
         snprintf(notes[1], NOTE_SIZE, "%s", gettext("There is no memory to measure."));
-    } else if (viewport->layer != LAYER_SHADED) {
-        snprintf(notes[1], NOTE_SIZE, "%s", gettext("Show the light: layers have no point."));
     } else {
         snprintf(notes[1], NOTE_SIZE, "%s",
                  gettext("Change number type, offset, depth or samples: each adds its point."));
     }
+}
+
+/** @return Why a chart has no point yet. */
+static const char *reason_for_none(const Viewport *viewport) {
+    return viewport->layer != LAYER_SHADED
+               ? gettext(
+                     "A layer has no error to compare: show the light (key 1), and its settings "
+                     "get their points.")
+               : gettext("The first point comes when the picture is finished and measured.");
 }
 
 void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *viewport,
@@ -129,17 +133,18 @@ void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *
                                     .is_shown = strcmp(point->name, shown) == 0};
         snprintf(points[i].label, sizeof points[i].label, "%u", (unsigned)(i + 1) % 100);
     }
-    write_notes(panel, viewport, notes);
+    write_notes(panel, notes);
     GuiChart chart = {.title = gettext("time against error"),
                       .x_label = gettext("ms per picture"),
                       .y_label = gettext("error, RMS in steps of 255"),
                       .points = points,
                       .count = (int)panel->chart.count,
+                      .reason = reason_for_none(viewport),
                       .notes = (const char *const[]){notes[0], notes[1]},
                       .note_count = 2};
     float width = fminf((float)area->w,
                         fmaxf(PANEL_WIDTH * (float)area->w, PANEL_WIDTH_MINIMUM * gui_text_size()));
-    float height = (float)area->h - (READOUT_ROOM + TOAST_ROOM) * gui_text_size();
+    float height = (float)area->h - TOAST_ROOM * gui_text_size();
     GuiPoint corner = {(float)(area->x + area->w) - width,
                        (float)area->y + TOAST_ROOM * gui_text_size()};
     gui_chart(&chart, corner, (GuiPoint){width, height});

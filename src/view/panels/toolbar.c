@@ -18,10 +18,6 @@ static const double EPSILON_LOW = 1e-16;
 static const double EPSILON_HIGH = 1;
 /** Bytes of a label with the final zero. */
 enum { LABEL_SIZE = 64 };
-/** Sign of the depth: a ray that is reflected. */
-#define SIGN_DEPTH "↯"
-/** Sign of the samples: a pixel that is divided. */
-#define SIGN_SAMPLES "▦"
 
 /** Requests a command. @param repetitions How many times; 0: not at all. */
 static void request(Toolbar *toolbar, const char *command, int repetitions) {
@@ -121,11 +117,12 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
     cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
-    snprintf(depth, sizeof depth, SIGN_DEPTH " %d", settings->trace.depth);
-    snprintf(deepest, sizeof deepest, SIGN_DEPTH " %d", DEPTH_MAXIMUM);
+    snprintf(depth, sizeof depth, gettext("%d bounces"), settings->trace.depth);
+    snprintf(deepest, sizeof deepest, gettext("%d bounces"), DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
-    snprintf(samples, sizeof samples, SIGN_SAMPLES " %d", settings->samples);
-    snprintf(most, sizeof most, SIGN_SAMPLES " %d", KEY_SAMPLES_MAXIMUM);
+    // Words that are short: the tooltips say depth and samples per pixel.
+    snprintf(samples, sizeof samples, gettext("%d rays"), settings->samples);
+    snprintf(most, sizeof most, gettext("%d rays"), KEY_SAMPLES_MAXIMUM);
     number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));

@@ -7,6 +7,16 @@
 /** Seconds after a change before a coarse pass is shown instead of one with all pixels. Half a
  * frame of a 60 Hz screen: the other half is left for showing it. */
 static const double FULL_RESOLUTION_WAIT = 0.008;
+/** The same, seconds, where all pixels would come much too late: time for a second coarse pass. */
+static const double COARSE_WAIT = 0.004;
+/** How many times #FULL_RESOLUTION_WAIT the last picture took where the next is not waited for. */
+static const double HOPELESS_RATIO = 3;
+
+/** @return Seconds after a change before a coarse pass is shown. See #FULL_RESOLUTION_WAIT. */
+static double coarse_wait(const Viewport *viewport) {
+    bool is_hopeless = viewport->render_seconds > HOPELESS_RATIO * FULL_RESOLUTION_WAIT;
+    return is_hopeless ? COARSE_WAIT : FULL_RESOLUTION_WAIT;
+}
 
 bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *scene,
                    const RenderSettings *base, uint32_t pass_event, Error *error) {
@@ -121,7 +131,7 @@ bool viewport_has_frame(Viewport *viewport, double now) {
     if (viewport->has_new_pass && !renderer_copy_latest(viewport->renderer, &newest, NULL, 0)) {
         viewport->has_new_pass = false;
     }
-    bool is_late = now >= viewport->start_time + FULL_RESOLUTION_WAIT;
+    bool is_late = now >= viewport->start_time + coarse_wait(viewport);
     return viewport->has_new_pass &&
            (!viewport->awaits_first_frame || is_late || newest.stride == 1);
 }
@@ -146,7 +156,7 @@ bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer) {
 
 double viewport_timeout(const Viewport *viewport, double now) {
     bool is_coarse_waiting = viewport->has_new_pass && viewport->awaits_first_frame;
-    return is_coarse_waiting ? fmax(0, viewport->start_time + FULL_RESOLUTION_WAIT - now)
+    return is_coarse_waiting ? fmax(0, viewport->start_time + coarse_wait(viewport) - now)
                              : VIEWPORT_NO_TIMEOUT;
 }
 

@@ -114,6 +114,12 @@ fault() {
     fi
 }
 
+# limit NAME PROGRAM KIND: how many calls of a kind fail. All memory of a film does: an encoder that is
+# started without its pipe leaves a film without a frame.
+limit() {
+    if [ "$1 $2 $3" = "film $(basename "$dioptre") malloc" ]; then echo 0; else echo "$first"; fi
+}
+
 "$dioptre" render "$work/scene.lua" $small -o "$work/a.bmp" && "$dioptre" render "$work/scene.lua" $small -o "$work/b.png" ||
     fail 'the pictures to compare'
 mkdir "$work/good"
@@ -130,7 +136,7 @@ while read -r name file words; do
             number=1
             # shellcheck disable=SC2086 # words
             while fault "$name" "$file" "$program" "$kind" $number $words; do
-                [ $number != "$first" ] || break
+                [ $number != "$(limit "$name" "$program" "$kind")" ] || break
                 number=$((number + 1))
             done
         done

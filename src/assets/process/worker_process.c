@@ -75,8 +75,9 @@ static int spawn(WorkerProcess *process, const WorkerCall *call, int socket) {
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, socket, WORKER_SOCKET);
-    int failed = posix_spawn(&process->pid, program, &files, &attributes, arguments, environ);
+    int failed = posix_spawn_file_actions_adddup2(&files, socket, WORKER_SOCKET);
+    failed = failed ? failed
+                    : posix_spawn(&process->pid, program, &files, &attributes, arguments, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attributes);
     return failed;

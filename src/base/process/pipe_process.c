@@ -40,25 +40,29 @@ bool pipe_process_is_installed(const char *name) {
 /**
  * Sets the files and signals of a program: its pipe, its file for errors, no output, default
  * signals. This program ignores SIGPIPE, but its children must not.
- * @param program          The program; its files are open.
- * @param input            Read end of the pipe.
- * @param[out] files       The files; to be destroyed.
- * @param[out] attributes  The signals and the process group; to be destroyed.
+ * @param program             The program; its files are open.
+ * @param input               Read end of the pipe.
+ * @param[in,out] files       The files; initialized, to be destroyed.
+ * @param[in,out] attributes  The signals and the process group; initialized, to be destroyed.
+ * @return 0, or an error number. Without its pipe, ffmpeg would read this program's input, and end
+ *         in peace with a film of no frame.
  */
-static void set_spawn_attributes(const PipeProcess *program, int input,
-                                 posix_spawn_file_actions_t *files, posix_spawnattr_t *attributes) {
+static int set_spawn_attributes(const PipeProcess *program, int input,
+                                posix_spawn_file_actions_t *files, posix_spawnattr_t *attributes) {
     sigset_t all, none;
     sigfillset(&all);
     sigemptyset(&none);
-    posix_spawn_file_actions_init(files);
-    posix_spawn_file_actions_adddup2(files, input, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(files, program->error_file, STDERR_FILENO);
-    posix_spawnattr_init(attributes);
+    int failed = posix_spawn_file_actions_adddup2(files, input, STDIN_FILENO);
+    failed = failed
+                 ? failed
+                 : posix_spawn_file_actions_addopen(files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    failed = failed ? failed
+                    : posix_spawn_file_actions_adddup2(files, program->error_file, STDERR_FILENO);
     posix_spawnattr_setsigdefault(attributes, &all);
     posix_spawnattr_setsigmask(attributes, &none);
     posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK |
                                              POSIX_SPAWN_SETPGROUP);
+    return failed;
 }
 
 /**
@@ -77,8 +81,11 @@ static int spawn_process(PipeProcess *program, int input, const char *const *arg
         arguments[count] = (char *)(uintptr_t)argv[count]; // posix_spawn does not change the
                                                            // strings.
     } while (argv[count++]);
-    set_spawn_attributes(program, input, &files, &attributes);
-    int failed = posix_spawnp(&program->pid, argv[0], &files, &attributes, arguments, environ);
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attributes);
+    int failed = set_spawn_attributes(program, input, &files, &attributes);
+    failed = failed ? failed
+                    : posix_spawnp(&program->pid, argv[0], &files, &attributes, arguments, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attributes);
     return failed;

@@ -926,7 +926,7 @@ static void test_magnifier(void **state) {
 static void test_scene_words(void **state) {
     (void)state;
     assert_string_equal(scene_word("ior"), "refractive index");
-    assert_string_equal(scene_word("quad"), "parallelogram");
+    assert_string_equal(scene_word("quad"), "quadrilateral");
     assert_string_equal(scene_word("a new shape"), "a new shape");
     // No name says a word of the scene language that readers do not: they have no underscores.
     for (int i = 0; scene_object_keyword(i); i++) {
@@ -966,7 +966,7 @@ static void test_readout(void **state) {
     assert_string_equal(text, "two layers: no difference");
     readout.readings[0].shape = 3;
     pixel_readout_write(&readout, text);
-    assert_non_null(strstr(text, "parallelogram 4 (line 24 of the scene)"));
+    assert_non_null(strstr(text, "quadrilateral 4 (line 24 of the scene)"));
     scene_destroy(scene);
 }
 

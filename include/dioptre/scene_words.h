@@ -3,7 +3,7 @@
  * @brief Words of the scene language as a reader says them.
  *
  * A scene file says `ior` and `quad` in every language. Where a reader is shown what such a word
- * stands for, it is `refractive index` or `indice`, `parallelogram` or `parallélogramme`.
+ * stands for, it is `refractive index` or `indice`, `quadrilateral` or `quadrilatère`.
  */
 #ifndef DIOPTRE_SCENE_WORDS_H
 #define DIOPTRE_SCENE_WORDS_H

@@ -24,7 +24,7 @@ typedef struct SceneWord {
 static const SceneWord words[] = {
     {"sphere", N_("sphere")},
     {"plane", N_("plane")},
-    {"quad", N_("parallelogram")},
+    {"quad", N_("quadrilateral")},
     {"box", N_("box")},
     {"disk", N_("disk")},
     {"cylinder", N_("cylinder")},

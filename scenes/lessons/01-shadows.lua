@@ -37,9 +37,8 @@ ask(eye)
 hold("camera right", 0.14)
 wait(0.3)
 hold("camera up", 0.1)
-caption { en = "Back to our first place.", fr = "Revenons au point de départ." }
 press "home"
-wait(2)
+caption { wait = true, en = "Back to our first place.", fr = "Revenons au point de départ." }
 
 ask {
   en = "Now the lamp goes to the left. Where does the shadow of the ball go?",
@@ -72,10 +71,9 @@ ask {
 }
 hold("light down", 0.25)
 wait(0.5)
-caption { en = "Everything as at first. Let us look at one place of the floor.",
-          fr = "Tout est remis comme au début. Regardons maintenant un seul endroit du sol." }
 press "home"
-wait(4)
+caption { wait = true, en = "Everything as at first. Let us look at one place of the floor.",
+          fr = "Tout est remis comme au début. Regardons maintenant un seul endroit du sol." }
 
 ask {
   en = "How does the program know that a place of the floor is in shadow?",
@@ -92,11 +90,10 @@ ask {
 }
 pixel(0.2, 0.8)
 wait(0.5)
-caption {
+pixel(0.6, 0.9)
+caption { wait = true,
   en = "And here, in the light, the way is free. So the lamp's light counts for this pixel.",
   fr = "Et ici, en pleine lumière, le chemin est libre. La lumière de la lampe compte donc pour ce pixel." }
-pixel(0.6, 0.9)
-wait(6)
 press "rays"
 
 ask(eye)

@@ -61,9 +61,8 @@ ask {
 }
 pixel(0.5, 0.35)
 wait(0.5)
-caption { en = "Back to the picture.", fr = "Retour à l’image." }
 press "rays"
-wait(2)
+caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
 
 ask {
   en = "Our eye goes to the left. Which part of the room does the mirror show then?",
@@ -80,10 +79,9 @@ ask {
 }
 hold("camera left", 0.3)
 wait(1)
-caption { en = "And from the right we see more of what is on the left.",
-          fr = "Et depuis la droite, on voit mieux ce qui est à gauche." }
 hold("camera right", 0.6)
-wait(4)
+caption { wait = true, en = "And from the right we see more of what is on the left.",
+          fr = "Et depuis la droite, on voit mieux ce qui est à gauche." }
 press "home"
 press "less deep"
 look()

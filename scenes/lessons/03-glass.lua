@@ -51,9 +51,8 @@ ask {
 }
 pixel(0.6, 0.4)
 wait(0.5)
-caption { en = "Back to the picture.", fr = "Retour à l’image." }
 press "rays"
-wait(2)
+caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
 
 ask {
   en = "Glass also mirrors a part of the light. Where is that part largest?",

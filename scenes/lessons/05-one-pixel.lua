@@ -51,10 +51,9 @@ ask {
 }
 press "rays"
 wait(0.5)
-caption { en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
-          fr = "Maintenant, un pixel de la boule rouge. Elle est brillante : elle réfléchit une partie de la lumière." }
 press "rays"
-wait(4)
+caption { wait = true, en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
+          fr = "Maintenant, un pixel de la boule rouge. Elle est brillante : elle réfléchit une partie de la lumière." }
 
 ask {
   en = "The ray from the eye meets the red ball. Which rays start there?",

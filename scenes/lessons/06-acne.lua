@@ -53,17 +53,15 @@ press "layer normals"
 wait(0.7)
 press "layer light"
 wait(1)
-caption {
+press "layer acne"
+caption { wait = true,
   en = "This layer marks each pixel whose shadow ray has met its own surface, and counts them.",
   fr = "Ce calque marque chaque pixel dont le rayon d’ombre a rencontré sa propre surface, et les compte." }
-press "layer acne"
-wait(6)
-caption {
-  en = "The usual cure: start at a fixed distance, epsilon. Here it is a ten-thousandth.",
-  fr = "Le remède habituel : partir à une distance fixe, epsilon. Ici, un dix-millième." }
 press "layer light"
 press "offset" -- fixed
-wait(5)
+caption { wait = true,
+  en = "The usual cure: start at a fixed distance, epsilon. Here it is a ten-thousandth.",
+  fr = "Le remède habituel : partir à une distance fixe, epsilon. Ici, un dix-millième." }
 
 ask {
   en = "Then more must be better! What if epsilon is ten thousand times as large?",

@@ -72,10 +72,9 @@ end
 turn(10, 5)
 zoom(8)
 wait(0.5)
-caption { en = "Back to our first view. Now let us count rays.",
-          fr = "Retour à notre première vue. Comptons maintenant les rayons." }
 press "home"
-wait(3)
+caption { wait = true, en = "Back to our first view. Now let us count rays.",
+          fr = "Retour à notre première vue. Comptons maintenant les rayons." }
 
 ask {
   en = "Which pixels took most rays?",
@@ -92,9 +91,8 @@ ask {
 }
 press "layer rays"
 wait(1)
-caption { en = "Once more from the beginning: depth 0.", fr = "Reprenons du début : profondeur 0." }
 press "as at first"
-wait(3)
+caption { wait = true, en = "Once more from the beginning: depth 0.", fr = "Reprenons du début : profondeur 0." }
 ask(second)
 press "deeper"
 wait(0.5)

@@ -51,16 +51,15 @@ ask {
 }
 press "time on"
 wait(0.5)
-caption { en = "Step by step, until the distance is nearly 0: there the ball is met.",
-          fr = "Pas à pas, jusqu’à ce que la distance soit presque nulle : la boule est atteinte." }
 for i = 3, 9 do
   press "time on"
   wait(0.5)
 end
-caption { en = "Now in space, with spheres in place of circles: a ray for each pixel.",
-          fr = "Maintenant dans l’espace, avec des sphères au lieu de cercles : un rayon par pixel." }
+caption { wait = true, en = "Step by step, until the distance is nearly 0: there the ball is met.",
+          fr = "Pas à pas, jusqu’à ce que la distance soit presque nulle : la boule est atteinte." }
 press "time on"
-wait(4)
+caption { wait = true, en = "Now in space, with spheres in place of circles: a ray for each pixel.",
+          fr = "Maintenant dans l’espace, avec des sphères au lieu de cercles : un rayon par pixel." }
 
 ask {
   en = "Which pixels need most steps?",
@@ -77,21 +76,17 @@ ask {
 }
 press "layer steps"
 wait(1)
-caption { en = "What is still missing? All is flat: there is no light.",
-          fr = "Que manque-t-il encore ? Tout est plat : il n’y a pas de lumière." }
 press "layer light"
-wait(4)
-caption { en = "A sun. How much a place gets depends on its angle; for the shadow a ray marches to the sun.",
+caption { wait = true, en = "What is still missing? All is flat: there is no light.",
+          fr = "Que manque-t-il encore ? Tout est plat : il n’y a pas de lumière." }
+press "time on"
+caption { wait = true, en = "A sun. How much a place gets depends on its angle; for the shadow a ray marches to the sun.",
           fr = "Un soleil. Ce qu’un endroit reçoit dépend de l’angle ; pour l’ombre, un rayon avance pas à pas vers le soleil." }
 press "time on"
-wait(4)
-caption { en = "And a sky, for the rays that meet nothing. That was the way of report B.",
+caption { wait = true, en = "And a sky, for the rays that meet nothing. That was the way of report B.",
           fr = "Et un ciel, pour les rayons qui ne rencontrent rien. C’est le chemin qu’a suivi le rapport B." }
-press "time on"
-wait(4)
-caption { en = "Back to the drawing.", fr = "Retour au dessin." }
 for i = 1, 12 do press "time back" end
-wait(2)
+caption { wait = true, en = "Back to the drawing.", fr = "Retour au dessin." }
 ask(stride)
 press "time on"
 wait(0.5)

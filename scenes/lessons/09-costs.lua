@@ -53,10 +53,9 @@ for i = 1, 4 do
   press "samples twice"
   wait(0.7)
 end
-caption { en = "But more rays cost time. Let us see where they go.",
-          fr = "Mais plus de rayons prennent plus de temps. Voyons où ils vont." }
 press "home"
-wait(3)
+caption { wait = true, en = "But more rays cost time. Let us see where they go.",
+          fr = "Mais plus de rayons prennent plus de temps. Voyons où ils vont." }
 
 ask(most)
 press "layer rays"

@@ -113,6 +113,18 @@ static void test_settings(void **state) {
     assert_status("rays go ");
 }
 
+/** Settings that change are shown for a while, but not over the toolbar's own. */
+static void test_shown_settings(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    window->toolbar.is_folded = false;
+    run_and_settle("offset");
+    assert_false(window->shows_settings);
+    window->toolbar.is_folded = true;
+    run_and_settle("offset");
+    assert_true(window->shows_settings);
+}
+
 /** Each layer is drawn when its key asks for it; Esc leaves it. */
 static void test_layers(void **state) {
     (void)state;
@@ -432,6 +444,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),

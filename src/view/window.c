@@ -96,10 +96,11 @@ void window_set_layer(Window *window, Layer layer) {
 
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
-    if (!window->shows_settings || window->settings_end_time > 0) {
+    // The toolbar shows them where it is open.
+    if (window->toolbar.is_folded && (!window->shows_settings || window->settings_end_time > 0)) {
+        window->shows_settings = true;
         window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
     }
-    window->shows_settings = true;
     viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 

@@ -264,10 +264,11 @@ int gui_stepper(const char *id, const char *text, const char *widest, const char
  * @param low            Smallest value, above 0.
  * @param high           Largest value.
  * @param text           The text on the slider, without `%`.
+ * @param is_in_use      Whether the value has an effect; it is pale without.
  * @return Whether the user has changed it.
  */
 bool gui_log_slider(const char *id, double *value, double low, double high, const char *text,
-                    const char *tooltip);
+                    bool is_in_use, const char *tooltip);
 
 /* --- text and marks on the picture ------------------------------------------------------------ */
 

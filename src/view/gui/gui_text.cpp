@@ -187,6 +187,8 @@ void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side)
     ImVec2 whole(size.x + 2 * pad.x + 1, size.y + 2 * pad.y);
     ImVec2 corner(point.x - whole.x / 2, point.y - (side == GUI_ABOVE ? whole.y : 0));
     begin_window(id, corner, whole, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
+    // The inspector, which is clicked, would lie over it.
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     put_text(ImGui::GetCursorScreenPos(), size.x + 1, TEXT, text);
     ImGui::End();
 }

@@ -186,7 +186,7 @@ int gui_stepper(const char *id, const char *text, const char *widest, const char
 }
 
 bool gui_log_slider(const char *id, double *value, double low, double high, const char *text,
-                    const char *tooltip) {
+                    bool is_in_use, const char *tooltip) {
     float width = SLIDER_WIDTH * ImGui::GetFontSize();
     // Dear ImGui's own logarithmic scale ends at the precision of the text: 0.1 for one digit.
     double exponent = log10(*value), least = log10(low), most = log10(high);
@@ -195,11 +195,13 @@ bool gui_log_slider(const char *id, double *value, double low, double high, cons
     ImGui::SetNextItemWidth(width);
     // The number is read through the knob.
     const ImU32 knob = (ACCENT & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, KNOB_ALPHA);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, is_in_use ? 1 : ImGui::GetStyle().DisabledAlpha);
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, knob);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, knob);
     bool is_changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &exponent, &least,
                                           &most, text, ImGuiSliderFlags_NoInput);
     ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar();
     if (is_changed) {
         *value = pow(10, exponent);
     }

@@ -102,7 +102,7 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     double epsilon = shown;
     snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
     if (gui_log_slider(
-            "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label,
+            "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label, trace->offset == OFFSET_FIXED,
             tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
         int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));

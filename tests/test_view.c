@@ -950,7 +950,7 @@ static void test_readout(void **state) {
                             .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
                             .count = 1};
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "pixel 3 4 under the mouse   sphere (line 35 of the scene)   "
+    assert_string_equal(text, "pixel 3 4 under the mouse, sphere (line 35 of the scene), "
                               "colour 1 2 3 of 255");
     readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
     readout.readings[0].values[0] = 2;
@@ -958,7 +958,7 @@ static void test_readout(void **state) {
     readout.count = 2;
     readout.is_magnified = true;
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "pixel 3 4 in the magnifier   sphere (line 35 of the scene)\n"
+    assert_string_equal(text, "pixel 3 4 in the magnifier, sphere (line 35 of the scene)\n"
                               "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
                               "left minus right: -0.5 scene units");
     readout.readings[1].layer = LAYER_RAYS;

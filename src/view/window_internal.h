@@ -64,8 +64,9 @@ float window_show_captions(Window *window, const GuiRect *area);
 /** Places the magnifier. */
 void window_follow_mouse(Window *window);
 
-/** Shows what the pixel under the mouse shows, or the pixel that is magnified. */
-void window_show_readout(const Window *window);
+/** Shows what the pixel under the mouse shows, or the pixel that is magnified. @return Where it
+ *  begins, screen units; without a pixel, the lower edge of the picture's part. */
+float window_show_readout(const Window *window);
 
 /** Shows how far a pass is that takes long, at the lower edge of the picture. */
 void window_show_progress(Window *window);

@@ -233,15 +233,17 @@ void window_follow_mouse(Window *window) {
                      SDL_max(1, viewport->height));
 }
 
-void window_show_readout(const Window *window) {
+float window_show_readout(const Window *window) {
     PixelReadout readout;
     char text[READOUT_SIZE];
-    if (write_readout(window, &readout, text)) {
-        GuiRect area = window_area_units(window);
-        size_t side = is_right_side(window, readout.x) ? 1 : 0;
-        gui_readout("readout", text, readout.readings[side].rgb,
-                    (GuiPoint){area.x, area.y + area.height});
+    GuiRect area = window_area_units(window);
+    const float bottom = area.y + area.height;
+    if (!write_readout(window, &readout, text)) {
+        return bottom;
     }
+    size_t side = is_right_side(window, readout.x) ? 1 : 0;
+    gui_readout("readout", text, readout.readings[side].rgb, (GuiPoint){area.x, bottom});
+    return bottom - gui_readout_height(text);
 }
 
 /** Shows the chart of settings, if it is open. */

@@ -4,6 +4,8 @@
  */
 #include "view/window_internal.h"
 
+#include <math.h>
+
 /** How near to a light's mark the mouse takes hold of it, in heights of letters. */
 static const float MARK_REACH = 0.9F;
 
@@ -169,11 +171,11 @@ void window_show_widgets(Window *window) {
         above_message.height = SDL_max(1, area.height - window_messages_height(window));
         window_show_huds(window, &above_message);
         window_show_values(window);
-        window_show_readout(window);
+        float readout_top = window_show_readout(window);
         show_rays(window);
         window_show_progress(window);
         show_lesson_panel(window);
-        bottom = window_show_captions(window, &area);
+        bottom = fminf(readout_top, window_show_captions(window, &area));
     }
     window_show_recording_sign(window, width);
     window_show_messages(window, width, bottom);

@@ -74,9 +74,9 @@ static void show_light(LightMarks *marks, const Scene *scene, size_t light, cons
     bool is_ahead = point.ahead > NEAR_FRACTION * scene->camera.target_distance;
     bool is_inside = is_ahead && fabs(right) < picture->w / 2.0 && fabs(down) < picture->h / 2.0;
     if (scene->light_count > 1) {
-        snprintf(name, sizeof name, gettext("light %zu"), light + 1);
+        snprintf(name, sizeof name, gettext("lamp %d"), (int)light + 1);
     } else {
-        snprintf(name, sizeof name, "%s", gettext("light"));
+        snprintf(name, sizeof name, "%s", gettext("lamp"));
     }
     if (!is_inside) {
         show_outside(picture, isfinite(right) ? right : point.right,

@@ -36,7 +36,9 @@ static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
         snprintf(title, sizeof title, "%s",
                  isfinite(reading->distance) ? gettext("a lamp") : gettext("the sky"));
     }
-    append(text, "   %s", title);
+    if (title[0] != '\0') {
+        append(text, ", %s", title);
+    }
 }
 
 /** Appends the value of a pixel. */
@@ -96,7 +98,7 @@ void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
            readout->x, readout->y);
     append_shape(readout, text);
     if (readout->count == 1) {
-        append(text, "   ");
+        append(text, ", ");
         append_value(&readout->readings[0], text);
         return;
     }

@@ -77,7 +77,8 @@ static void print_epsilon(int indent, const RayTreeSurface *surface) {
 static void print_surface(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("angle"));
     printf(gettext("%12.6g degrees from the normal"), ray_incidence_angle(ray));
-    puts(ray->surface.is_inside ? gettext(", from inside") : "");
+    // A floor has no inside, whichever way its normal points.
+    puts(ray->surface.is_transparent && ray->surface.is_inside ? gettext(", from inside") : "");
     if (ray->surface.is_transparent) {
         print_glass(indent, &ray->surface);
     }

@@ -77,8 +77,7 @@ static void print_epsilon(int indent, const RayTreeSurface *surface) {
 static void print_surface(int indent, const RayTreeNode *ray) {
     begin_line(indent, N_("angle"));
     printf(gettext("%12.6g degrees from the normal"), ray_incidence_angle(ray));
-    // A floor has no inside, whichever way its normal points.
-    puts(ray->surface.is_transparent && ray->surface.is_inside ? gettext(", from inside") : "");
+    puts(ray_is_in_glass(ray) ? gettext(", from inside") : "");
     if (ray->surface.is_transparent) {
         print_glass(indent, &ray->surface);
     }

@@ -323,6 +323,10 @@ void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_
     }
 }
 
+bool ray_is_in_glass(const RayTreeNode *ray) {
+    return ray->surface.is_transparent && ray->surface.is_inside;
+}
+
 double ray_incidence_angle(const RayTreeNode *ray) {
     return acos(fmin(1, ray->surface.cosine)) * (180 / M_PI);
 }

@@ -102,6 +102,10 @@ const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray);
 /** Names what a ray hit, in the user's language: a shape, a light or the sky. */
 void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]);
 
+/** @return Whether a ray meets a surface from inside glass. A floor has no inside, whichever way
+ * its normal points. */
+bool ray_is_in_glass(const RayTreeNode *ray);
+
 /** @return The angle of incidence of a ray that hit a surface, degrees. */
 double ray_incidence_angle(const RayTreeNode *ray);
 

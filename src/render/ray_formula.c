@@ -226,10 +226,8 @@ static void add_fresnel(const RayTreeSurface *surface, RayFormulas *formulas) {
 /** Adds what a surface does. */
 static void add_surface(const RayTreeNode *ray, RayFormulas *formulas) {
     const RayTreeSurface *surface = &ray->surface;
-    // A floor has no inside, whichever way its normal points.
-    bool is_in_glass = surface->is_transparent && surface->is_inside;
     add(formulas, gettext("angle"), "cos a = −d·n = %.4g, a = %.2f°%s", surface->cosine,
-        ray_incidence_angle(ray), is_in_glass ? gettext(", from inside") : "");
+        ray_incidence_angle(ray), ray_is_in_glass(ray) ? gettext(", from inside") : "");
     if (surface->is_transparent && surface->is_overridden) {
         add(formulas, gettext("Fresnel"), "%s",
             gettext("none: a later shape is there, and this surface is not"));

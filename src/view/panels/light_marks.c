@@ -107,6 +107,15 @@ const LightMark *light_marks_at(const LightMarks *marks, GuiPoint point, float r
     return NULL;
 }
 
+bool picture_point(const SceneCamera *camera, const SDL_Rect *picture, Vec3d point,
+                   GuiPoint *place) {
+    CameraPoint seen = to_camera(camera, point);
+    double scale = 1 / units_per_pixel(camera, picture, seen.ahead);
+    place->x = (float)(picture->x + picture->w / 2.0 + seen.right * scale);
+    place->y = (float)(picture->y + picture->h / 2.0 - seen.up * scale);
+    return seen.ahead > NEAR_FRACTION * camera->target_distance;
+}
+
 bool picture_drag_offset(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
                          const PictureDrag *drag, Vec3d *offset) {
     double ahead = to_camera(camera, point).ahead;

@@ -42,6 +42,15 @@ typedef struct PictureDrag {
 } PictureDrag;
 
 /**
+ * Finds where a point is seen.
+ * @param picture     The picture's rectangle, pixels of the window.
+ * @param[out] place  Where it is, pixels of the window; perhaps outside the picture.
+ * @return Whether it is in front of the camera.
+ */
+bool picture_point(const SceneCamera *camera, const SDL_Rect *picture, Vec3d point,
+                   GuiPoint *place);
+
+/**
  * Finds how far a thing moves that is dragged at one of its points: in the plane through the point
  * that faces the camera, or along the direction of view.
  * @param picture      The picture's rectangle, pixels of the window.

@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene_words.h"
+#include "view/panels/light_marks.h"
 #include "view/panels/thing_title.h"
 
 #include <libintl.h>
@@ -261,20 +262,6 @@ static double size_of_scene(const Scene *scene) {
 
 /* --- where it lies ---------------------------------------------------------------------------- */
 
-/** @return Whether a point is in front of the camera. @param[out] place Where it is in the picture,
- *  pixels of the window. */
-static bool project(const SceneCamera *camera, const SDL_Rect *picture, Vec3d point,
-                    GuiPoint *place) {
-    Vec3d offset = vec3d_subtract(point, camera->position);
-    double ahead = vec3d_dot(offset, camera->direction);
-    double scale = picture->w / (2 * tan(camera->fov * M_PI / 360));
-    place->x = (float)(picture->x + picture->w / 2.0 +
-                       vec3d_dot(offset, scene_camera_right(camera)) / ahead * scale);
-    place->y =
-        (float)(picture->y + picture->h / 2.0 - vec3d_dot(offset, camera->up) / ahead * scale);
-    return ahead > 1e-6 * camera->target_distance;
-}
-
 /** Finds where an object is seen: where it was clicked, else its middle. @return Whether it is. */
 static bool find_place(const ObjectInspector *inspector, const ObjectInspectorContent *content,
                        const SceneObject *object, GuiPoint *place) {
@@ -289,10 +276,10 @@ static bool find_place(const ObjectInspector *inspector, const ObjectInspectorCo
     if (scene_object_is_shape(object->keyword)) {
         Aabbd box = scene_shape_facts(scene, &scene->shapes[object->index]).bounds;
         middle = vec3d_scale(vec3d_add(box.low, box.high), 0.5);
-        return aabbd_is_bounded(box) && project(&scene->camera, picture, middle, place);
+        return aabbd_is_bounded(box) && picture_point(&scene->camera, picture, middle, place);
     }
     return scene_light_center(&scene->lights[object->index], &middle) &&
-           project(&scene->camera, picture, middle, place);
+           picture_point(&scene->camera, picture, middle, place);
 }
 
 void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
@@ -352,7 +339,7 @@ void object_inspector_outline(const ObjectInspector *inspector, const Scene *sce
                 ends[i] =
                     (Vec3d){bits & 1 ? box.high.x : box.low.x, bits & 2 ? box.high.y : box.low.y,
                             bits & 4 ? box.high.z : box.low.z};
-                is_ahead = project(&scene->camera, picture, ends[i], &places[i]) && is_ahead;
+                is_ahead = picture_point(&scene->camera, picture, ends[i], &places[i]) && is_ahead;
             }
             if (!(corner & axis) && is_ahead) {
                 gui_outline_line(places[0], places[1]);

@@ -109,7 +109,7 @@ static bool write_readout(const Window *window, PixelReadout *readout, char text
 /** Draws the legend of a viewport. @param area The window without its bar, screen units. @return
  *  Where it lies. */
 static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL_Rect *area,
-                           bool is_right) {
+                           float readout_height, bool is_right) {
     GuiSwatch swatches[LEGEND_ENTRIES_MAXIMUM];
     const char *notes[LEGEND_NOTES];
     for (size_t i = 0; i < legend->entry_count; i++) {
@@ -128,12 +128,8 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
                        .swatch_count = (int)legend->entry_count,
                        .notes = notes,
                        .note_count = (int)legend->note_count};
-    PixelReadout readout;
-    char text[READOUT_SIZE];
-    float gap = READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size();
-    if (write_readout(window, &readout, text)) {
-        gap = fmaxf(gap, gui_readout_height(text));
-    }
+    const float gap =
+        fmaxf(READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size(), readout_height);
     const GuiLegendPlace place = {.corner = {(float)(is_right ? area->x + area->w : area->x),
                                              (float)(area->y + area->h) - gap},
                                   .highest = (float)area->h - gap,
@@ -143,8 +139,9 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
     return gui_legend(is_right ? "legend right" : "legend left", &drawn, &place);
 }
 
-/** Shows the legend of each picture, or that of their difference. */
-static void show_legends(Window *window) {
+/** Shows the legend of each picture, or that of their difference. @param readout_height Room that
+ *  the readout takes below them, screen units. */
+static void show_legends(Window *window, float readout_height) {
     SDL_Rect area = area_beside_inspector(window);
     bool is_difference = is_difference_shown(window);
     size_t count = is_difference ? 1 : window_viewport_count(window);
@@ -160,7 +157,8 @@ static void show_legends(Window *window) {
                                  .progress = renderer_progress(viewport->renderer)};
         legend_write(&content, &legend);
         if (legend.title[0] != '\0') {
-            window->legend_rects[i] = draw_legend(window, &legend, &area, is_right || i == 1);
+            window->legend_rects[i] =
+                draw_legend(window, &legend, &area, readout_height, is_right || i == 1);
         }
     }
 }
@@ -246,16 +244,13 @@ float window_show_readout(const Window *window) {
     return bottom - gui_readout_height(text);
 }
 
-/** Shows the chart of settings, if it is open. */
-static void show_chart(const Window *window) {
+/** Shows the chart of settings, if it is open. @param readout_height Room that the readout takes
+ *  below it, screen units. */
+static void show_chart(const Window *window, float readout_height) {
     if (window->settings_chart.is_open) {
         SDL_Rect area = area_beside_inspector(window);
-        PixelReadout readout;
-        char text[READOUT_SIZE];
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
-        if (write_readout(window, &readout, text)) {
-            area.h = SDL_max(1, area.h - (int)ceilf(gui_readout_height(text)));
-        }
+        area.h = SDL_max(1, area.h - (int)ceilf(readout_height));
         settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
     }
 }
@@ -263,9 +258,12 @@ static void show_chart(const Window *window) {
 void window_show_values(Window *window) {
     memset(window->legend_rects, 0, sizeof window->legend_rects);
     if (is_picture_shown(window)) {
+        PixelReadout readout;
+        char text[READOUT_SIZE];
+        float readout_height = write_readout(window, &readout, text) ? gui_readout_height(text) : 0;
         show_all_rings(window);
-        show_legends(window);
+        show_legends(window, readout_height);
         show_magnifier(window);
-        show_chart(window);
+        show_chart(window, readout_height);
     }
 }

@@ -10,12 +10,12 @@ static const double FULL_RESOLUTION_WAIT = 0.008;
 /** The same, seconds, where all pixels would come much too late: time for a second coarse pass. */
 static const double COARSE_WAIT = 0.004;
 /** How many times #FULL_RESOLUTION_WAIT the last picture took where the next is not waited for. */
-static const double HOPELESS_RATIO = 3;
+static const double SLOW_RATIO = 3;
 
 /** @return Seconds after a change before a coarse pass is shown. See #FULL_RESOLUTION_WAIT. */
 static double coarse_wait(const Viewport *viewport) {
-    bool is_hopeless = viewport->render_seconds > HOPELESS_RATIO * FULL_RESOLUTION_WAIT;
-    return is_hopeless ? COARSE_WAIT : FULL_RESOLUTION_WAIT;
+    bool is_slow = viewport->render_seconds > SLOW_RATIO * FULL_RESOLUTION_WAIT;
+    return is_slow ? COARSE_WAIT : FULL_RESOLUTION_WAIT;
 }
 
 bool viewport_open(Viewport *viewport, const Viewport *reuse_from, const Scene *scene,

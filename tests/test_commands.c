@@ -120,6 +120,14 @@ static void test_shown_settings(void **state) {
     window->toolbar.is_folded = false;
     run_and_settle("offset");
     assert_false(window->shows_settings);
+    run_and_settle("split");
+    run_and_settle("offset");
+    assert_true(window->shows_settings);
+    run_and_settle("settings");
+    run_and_settle("settings");
+    assert_false(window->shows_settings);
+    run_and_settle("as at first");
+    assert_int_equal(window_viewport_count(window), 1);
     window->toolbar.is_folded = true;
     run_and_settle("offset");
     assert_true(window->shows_settings);

@@ -96,8 +96,9 @@ void window_set_layer(Window *window, Layer layer) {
 
 void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
     update_text_now(window);
-    // The toolbar shows them where it is open.
-    if (window->toolbar.is_folded && (!window->shows_settings || window->settings_end_time > 0)) {
+    // An open toolbar shows those of one picture.
+    bool is_told = !window->toolbar.is_folded && window_viewport_count(window) == 1;
+    if (!is_told && (!window->shows_settings || window->settings_end_time > 0)) {
         window->shows_settings = true;
         window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
     }

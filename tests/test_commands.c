@@ -113,6 +113,22 @@ static void test_settings(void **state) {
     assert_status("rays go ");
 }
 
+/** The inspector that appears asks for the frames that show it: its first one finds its size. */
+static void test_inspector_appears(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    if (!typeface_find()) {
+        skip();
+    }
+    for (int i = 0; i < 8 && gui_needs_frame(window->gui); i++) {
+        window_present(window);
+    }
+    assert_false(gui_needs_frame(window->gui));
+    run("next thing");
+    assert_true(window->object_inspector.number > 0);
+    assert_true(gui_needs_frame(window->gui));
+}
+
 /** Settings that change are shown for a while, but not over the toolbar's own. */
 static void test_shown_settings(void **state) {
     (void)state;
@@ -453,6 +469,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),

@@ -196,6 +196,9 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
     ImGui::Begin(label, &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      navigation_flags(GUI_INSPECTOR) | ImGuiWindowFlags_NoFocusOnAppearing);
+    if (ImGui::IsWindowAppearing()) {
+        gui_request_frames(gui); // Its size is found in the first one, which does not show it.
+    }
     show_tooltip(tooltip); // On the title.
     choose_first_widget(GUI_INSPECTOR);
     gui->is_inspecting = true;

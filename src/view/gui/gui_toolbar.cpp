@@ -140,6 +140,7 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     for (int i = 0; i < count; i++) {
         width = fmaxf(width, button_width(names[i]));
     }
+    width += 3 * TRIANGLE_SIZE * ImGui::GetFontSize(); // The triangle, with a gap before it.
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);

@@ -254,8 +254,8 @@ bool gui_button(const char *label, const char *tooltip, bool is_on);
 int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
                int selected, const char *tooltip);
 
-/** A number with a button on each side. @param widest The widest text that it may have, so that the
- *  bar does not move. @return -1 or 1: the user wants less or more; else 0. */
+/** A number with a button on each side. @param widest The widest text that keys give it, so that
+ * the bar does not move. @return -1 or 1: the user wants less or more; else 0. */
 int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip);
 
 /**

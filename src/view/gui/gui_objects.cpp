@@ -64,6 +64,9 @@ bool edit_channels(double rgb[3], double high, const char *const channels[3]) {
             rgb[i] = round_color(rgb[i]);
             is_changed = true;
         }
+        if (i == 0) {
+            ImGui::SetItemDefaultFocus();
+        }
         put_label(channels[i]);
         ImGui::PopID();
     }

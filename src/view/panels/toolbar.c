@@ -132,7 +132,7 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
     snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
-    snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), DEPTH_MAXIMUM);
+    snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), KEY_DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
     write_samples(settings->samples, samples);
     write_samples(KEY_SAMPLES_MAXIMUM, most);

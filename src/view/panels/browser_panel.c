@@ -65,7 +65,7 @@ static void show_footer(const Browser *browser, const GuiRect *rect) {
 
 /** Writes the name of a scene with spaces, where it can be broken into lines. */
 static void write_name(const SceneEntry *scene, char name[SCENE_ENTRY_NAME_SIZE]) {
-    SDL_strlcpy(name, scene->name, SCENE_ENTRY_NAME_SIZE);
+    SDL_strlcpy(name, scene->label, SCENE_ENTRY_NAME_SIZE);
     for (char *c = name; *c; c++) {
         *c = *c == '-' ? ' ' : *c;
     }

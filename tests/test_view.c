@@ -31,6 +31,7 @@
 #include <glob.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <uchar.h>
 #include <unistd.h>
 
 /** Rounding error of a sum of times, seconds. */
@@ -340,6 +341,90 @@ static void test_parts(void **state) {
         fclose(file);
     }
     globfree(&files);
+}
+
+/** A keyboard: what is printed on its keys, in the order of #letter_keys; `~`: a dead key. */
+typedef struct Keyboard {
+    const char *name;        /**< Its name. */
+    const char32_t *printed; /**< Its signs. */
+} Keyboard;
+
+/** The keys of letters and signs, row by row. SDL calls the digits so on all keyboards. */
+static const SDL_Scancode letter_keys[] = {
+    SDL_SCANCODE_GRAVE,     SDL_SCANCODE_MINUS,       SDL_SCANCODE_EQUALS,
+    SDL_SCANCODE_Q,         SDL_SCANCODE_W,           SDL_SCANCODE_E,
+    SDL_SCANCODE_R,         SDL_SCANCODE_T,           SDL_SCANCODE_Y,
+    SDL_SCANCODE_U,         SDL_SCANCODE_I,           SDL_SCANCODE_O,
+    SDL_SCANCODE_P,         SDL_SCANCODE_LEFTBRACKET, SDL_SCANCODE_RIGHTBRACKET,
+    SDL_SCANCODE_A,         SDL_SCANCODE_S,           SDL_SCANCODE_D,
+    SDL_SCANCODE_F,         SDL_SCANCODE_G,           SDL_SCANCODE_H,
+    SDL_SCANCODE_J,         SDL_SCANCODE_K,           SDL_SCANCODE_L,
+    SDL_SCANCODE_SEMICOLON, SDL_SCANCODE_APOSTROPHE,  SDL_SCANCODE_BACKSLASH,
+    SDL_SCANCODE_Z,         SDL_SCANCODE_X,           SDL_SCANCODE_C,
+    SDL_SCANCODE_V,         SDL_SCANCODE_B,           SDL_SCANCODE_N,
+    SDL_SCANCODE_M,         SDL_SCANCODE_COMMA,       SDL_SCANCODE_PERIOD,
+    SDL_SCANCODE_SLASH};
+/** Number of them. */
+enum { LETTER_KEYS = sizeof letter_keys / sizeof *letter_keys };
+
+/** @return What SDL says of a key without modifiers. */
+static SDL_Keycode keycode_on(const Keyboard *keyboard, SDL_Scancode scancode) {
+    for (int i = 0; i < LETTER_KEYS; i++) {
+        if (letter_keys[i] == scancode) {
+            char32_t printed = keyboard->printed[i];
+            return printed == U'~' ? SDLK_SCANCODE_MASK : (SDL_Keycode)printed;
+        }
+    }
+    return SDL_GetKeyFromScancode(scancode);
+}
+
+/** @return Whether a key of a keyboard without keypad, alone or with AltGr, runs a command. */
+static bool is_reached(const Keyboard *keyboard, const Command *command) {
+    for (int scancode = SDL_SCANCODE_A; scancode < SDL_NUM_SCANCODES; scancode++) {
+        bool is_of_keypad =
+            scancode >= SDL_SCANCODE_NUMLOCKCLEAR && scancode <= SDL_SCANCODE_KP_PERIOD;
+        SDL_Keysym key = {.scancode = (SDL_Scancode)scancode,
+                          .sym = keycode_on(keyboard, (SDL_Scancode)scancode)};
+        for (int altgr = 0; altgr < 2 && !is_of_keypad; altgr++) {
+            key.mod = (Uint16)((command->flags & COMMAND_SHIFT ? KMOD_LSHIFT : 0) |
+                               (command->flags & COMMAND_CTRL ? KMOD_LCTRL : 0) |
+                               (altgr ? KMOD_MODE : 0));
+            if (command_find_key(command_table, key, false) == command) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** Every command that has a key is reached on each keyboard, though letters are elsewhere and some
+ *  signs are dead keys, or need Shift. */
+static void test_keyboards(void **state) {
+    (void)state;
+    static const Keyboard keyboards[] = {
+        {"American", U"`-=qwertyuiop[]asdfghjkl;'\\zxcvbnm,./"},
+        {"French", U"²)=azertyuiop~$qsdfghjklmù*wxcvbn,;:!"},
+        {"Belgian", U"²)-azertyuiop~$qsdfghjklmùµwxcvbn,;:="},
+        {"Swiss French", U"§'~qwertzuiopè~asdfghjkléà$yxcvbnm,.-"},
+        {"Canadian French", U"#-=qwertyuiop~~asdfghjkl;~<zxcvbnm,.é"},
+        {"German", U"~ß~qwertzuiopü+asdfghjklöä#yxcvbnm,.-"},
+        {"bépo", U"$=%bépoè~vdljzwauie,ctsrnmçàyx.k'qghf"},
+        {"Dvorak", U"`[]',.pyfgcrl/=aoeuidhtns-\\;qjkxbmwvz"},
+        {"Spanish", U"º'¡qwertyuiop~+asdfghjklñ~çzxcvbnm,.-"},
+    };
+    for (size_t i = 0; i < sizeof keyboards / sizeof *keyboards; i++) {
+        for (const Command *row = command_table; command_is_row(row); row++) {
+            bool has_key = row->keys[0].scancode != 0 || row->keys[0].keycode != 0;
+            if (row->name && has_key && !is_reached(&keyboards[i], row)) {
+                fail_msg("%s: no key for %s", keyboards[i].name, row->name);
+            }
+        }
+    }
+    // German and Swiss: y lies where the light is moved, so that rounding is shown by AltGr y.
+    const SDL_Keysym y = {.scancode = SDL_SCANCODE_Z, .sym = SDLK_y};
+    const SDL_Keysym altgr_y = {.scancode = SDL_SCANCODE_Z, .sym = SDLK_y, .mod = KMOD_RALT};
+    assert_true(command_is(command_find_key(command_table, y, false), "light nearer"));
+    assert_true(command_is(command_find_key(command_table, altgr_y, false), "layer rounding"));
 }
 
 /** Each layer of the bar's list has its command. */
@@ -1387,6 +1472,13 @@ static void test_keymap_ctrl(void **state) {
 }
 
 /** Runs the tests. @return Number of failed tests. */
+/** Gives SDL a keyboard, which is a US one without a screen. */
+static int start_keyboard(void **state) {
+    (void)state;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    return SDL_InitSubSystem(SDL_INIT_VIDEO);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_tap),
@@ -1402,6 +1494,7 @@ int main(void) {
         cmocka_unit_test(test_command_table),
         cmocka_unit_test(test_toolbar_commands),
         cmocka_unit_test(test_tooltips),
+        cmocka_unit_test(test_keyboards),
         cmocka_unit_test(test_light_drag),
         cmocka_unit_test(test_parts),
         cmocka_unit_test(test_settings_override),
@@ -1437,5 +1530,5 @@ int main(void) {
         cmocka_unit_test(test_object_text),
         cmocka_unit_test(test_keymap_ctrl),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, start_keyboard, NULL);
 }

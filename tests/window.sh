@@ -285,8 +285,21 @@ same "$shot" "$work/render.bmp" 'as render draws it'
 setxkbmap fr && sleep 0.3
 xdotool key ampersand quotedbl
 expect_shown '800×600, distance, ' 'azerty: digits without Shift'
+# Swiss French: y lies where the light is moved, and the keys of epsilon are a letter and a dead key.
+setxkbmap ch fr && sleep 0.3
+xdotool key ISO_Level3_Shift+y
+expect_shown '800×600, rounding, ' 'qwertz: AltGr y is y'
+xdotool key dead_diaeresis
+expect_shown 'finished — epsilon: 0.0002' 'qwertz: a dead key doubles epsilon'
+xdotool key egrave
+expect_shown 'finished — epsilon: 0.0001' 'qwertz: è halves it'
+setxkbmap be && sleep 0.3
+xdotool key 35 # The key of $.
+expect_shown 'finished — epsilon: 0.0002' 'Belgian: $ doubles epsilon'
+xdotool key dead_circumflex
+expect_shown 'finished — epsilon: 0.0001' 'Belgian: a dead key halves it'
 setxkbmap us && sleep 0.3
-xdotool key 1
+xdotool key BackSpace 1
 
 # as_set KEY STATUS OPTION...: the key says what it has changed, and nothing else, and gives the picture that
 # render draws with the options.
@@ -579,7 +592,7 @@ help() {
     shows quiet
 }
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
-expect_shown '^box — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
+expect_shown '^boîte — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
 screen quiet
 for keyboard in us fr ch; do help $keyboard french; done
 differ quiet help-french-us 'F1 shows the help in French'

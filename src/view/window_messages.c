@@ -32,11 +32,10 @@ void window_set_hint(Window *window) {
     static const char *const names[] = {"light up", "light left", "light down", "light right"};
     char light[GUI_LABEL_SIZE] = "", help[GUI_LABEL_SIZE] = "";
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        help_key_names(command_find(window->help.commands, names[i]), window->help.by_letter, light,
+        help_key_names(&window->help, command_find(window->help.commands, names[i]), light,
                        sizeof light);
     }
-    help_key_names(command_find(window->help.commands, "help"), window->help.by_letter, help,
-                   sizeof help);
+    help_key_names(&window->help, command_find(window->help.commands, "help"), help, sizeof help);
     snprintf(window->hint.text, sizeof window->hint.text,
              gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a thing to "
                      "change it. Help: %s"),

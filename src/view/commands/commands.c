@@ -5,7 +5,8 @@
  * The light's keys are at fixed positions, wherever the letters of the keyboard in use are: those
  * of z s q d e w on an AZERTY keyboard. So are the two keys that step the time, right of M or N: ;
  * and : on an AZERTY keyboard. SDL names positions by the US keyboard. All other keys go by what is
- * printed on them.
+ * printed on them; where the light or the time has such a key, with AltGr: y on a German or Swiss
+ * keyboard.
  */
 #include "view/commands/actions.h"
 
@@ -17,6 +18,9 @@
 /** A key by its position, always, with its name in the help. */
 #define ONLY_PLACE(position, name_)                                                                \
     { .scancode = SDL_SCANCODE_##position, .label = name_ }
+/** A key by its position, where no other command has it. */
+#define SPARE(position)                                                                            \
+    { .scancode = SDL_SCANCODE_##position, .is_spare = true }
 /** A key by what is printed on it. */
 #define KEY(letter)                                                                                \
     { .keycode = SDLK_##letter }
@@ -160,9 +164,9 @@ const Command command_table[] = {
     {"snapshot of the screen", {KEY(p), KEY(F12)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_save_screen, 0)},
     {"copy", {KEY(c)}, N_("copy"), PROGRAM, .help = N_("camera and light as text, to paste"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_copy_view, 0)},
-    {"text larger", {NAMED(PLUS, "+"), NAMED(EQUALS, ""), NAMED(KP_PLUS, "")}, "A +", PROGRAM, .help = N_("letters larger, smaller"),
+    {"text larger", {NAMED(EQUALS, "+"), NAMED(PLUS, "+"), NAMED(KP_PLUS, ""), SPARE(EQUALS)}, "A +", PROGRAM, .help = N_("letters larger, smaller"),
      .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(action_scale_text, 1)},
-    {"text smaller", {NAMED(MINUS, "-"), NAMED(KP_MINUS, "")}, "A −", PROGRAM, .help = N_("letters larger, smaller"),
+    {"text smaller", {NAMED(MINUS, "-"), NAMED(KP_MINUS, ""), SPARE(MINUS), SPARE(GRAVE)}, "A −", PROGRAM, .help = N_("letters larger, smaller"),
      .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(action_scale_text, -1)},
     {"language", {KEY(l)}, "en / fr", PROGRAM, .help = N_("English, français"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_switch_language, 0)},

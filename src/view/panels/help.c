@@ -35,54 +35,6 @@ int help_group(const Help *help, const Command *command) {
     return number;
 }
 
-const char *help_printed_name(SDL_Scancode scancode) {
-    const char *printed = SDL_GetKeyName(SDL_GetKeyFromScancode(scancode));
-    bool is_azerty = SDL_GetKeyFromScancode(SDL_SCANCODE_Q) == SDLK_a;
-    if (printed[0] == '\0' && scancode == SDL_SCANCODE_LEFTBRACKET && is_azerty) {
-        return "^"; // A dead key: SDL has no name for it.
-    }
-    return printed;
-}
-
-/** @return Name of a key, as on the keyboard in use; empty: none. */
-static const char *key_name(const CommandKey *key, bool by_letter) {
-    if (key->label) {
-        return key->label[0] != '\0' ? gettext(key->label) : "";
-    }
-    if (key->scancode == 0 || (by_letter && key->keycode != 0)) {
-        return SDL_GetKeyName(key->keycode);
-    }
-    const char *printed = help_printed_name(key->scancode);
-    return printed[0] != '\0' ? printed : SDL_GetScancodeName(key->scancode);
-}
-
-/** Appends a name to a label. @return Whether there is one. */
-static bool add_key_name(const char *name, char *text, size_t size) {
-    size_t used = strlen(text);
-    SDL_snprintf(text + used, size - used, "%s%s", used > 0 && name[0] != '\0' ? GUI_KEY_GAP : "",
-                 name);
-    return name[0] != '\0';
-}
-
-/** Appends a key of a command with what is held meanwhile, such as `Ctrl+Z`. @return Whether it has
- *  a name. */
-static bool add_chord(const Command *command, const CommandKey *key, bool by_letter, char *text,
-                      size_t size) {
-    const char *name = key_name(key, by_letter);
-    char chord[GUI_LABEL_SIZE];
-    bool has_ctrl = command->flags & COMMAND_CTRL, has_shift = command->flags & COMMAND_SHIFT;
-    SDL_snprintf(chord, sizeof chord, "%s%s%s%s%s", has_ctrl ? gettext("Ctrl") : "",
-                 has_ctrl ? "+" : "", has_shift ? gettext("Shift") : "", has_shift ? "+" : "",
-                 name);
-    return add_key_name(name[0] != '\0' ? chord : "", text, size);
-}
-
-void help_key_names(const Command *command, bool by_letter, char *text, size_t size) {
-    for (int i = 0; i < COMMAND_KEYS; i++) {
-        add_chord(command, &command->keys[i], by_letter, text, size);
-    }
-}
-
 /** Adds a row. @return Its index; the last one's if all are used. */
 static size_t add_row(HelpList *list, const GuiRow *row) {
     size_t index = list->count < HELP_ROWS_MAXIMUM ? list->count++ : HELP_ROWS_MAXIMUM - 1;
@@ -93,15 +45,13 @@ static size_t add_row(HelpList *list, const GuiRow *row) {
 
 /** Adds the keys of a command to the last row. */
 static void add_keys(const Help *help, HelpList *list, const Command *command) {
-    size_t last = list->count - 1;
+    const size_t last = list->count - 1;
     GuiRow *row = &list->rows[last];
+    int *count = &list->key_counts[last];
     row->is_clickable = row->is_clickable || command->name;
-    for (int i = 0; i < COMMAND_KEYS; i++) {
-        int *count = &list->key_counts[last];
-        if (*count < HELP_KEYS_MAXIMUM &&
-            add_chord(command, &command->keys[i], help->by_letter, row->label, GUI_LABEL_SIZE)) {
-            list->commands[last][(*count)++] = command->name ? command : NULL;
-        }
+    const int added = help_key_names(help, command, row->label, GUI_LABEL_SIZE);
+    for (int i = 0; i < added && *count < HELP_KEYS_MAXIMUM; i++) {
+        list->commands[last][(*count)++] = command->name ? command : NULL;
     }
 }
 

@@ -37,14 +37,6 @@ bool help_toggle(Help *help);
 /** Handles a key that selects a row, or runs it. @return Whether it is one. */
 bool help_handle_key(Help *help, SDL_Keycode key);
 
-/** @return What is printed on a key of the keyboard in use; empty: nothing that is known. */
-const char *help_printed_name(SDL_Scancode scancode);
-
-/** Appends the names of a command's keys with what is held meanwhile, such as `Ctrl+Z`, as on the
- *  keyboard in use, parted by #GUI_KEY_GAP.
- *  @param by_letter See #command_find_key. */
-void help_key_names(const Command *command, bool by_letter, char *text, size_t size);
-
 /** Writes the list of keys, named as on the keyboard in use. */
 void help_write_list(const Help *help, HelpList *list);
 
@@ -53,6 +45,15 @@ void help_show(Help *help, const GuiRect *room);
 
 /** @return The number of a command's group, from 1. */
 int help_group(const Help *help, const Command *command);
+
+/* --- names of keys: key_names.c --------------------------------------------------------------- */
+
+/** @return What is printed on a key of the keyboard in use; empty: nothing that is known. */
+const char *help_printed_name(SDL_Scancode scancode);
+
+/** Appends the names of a command's keys with what is held meanwhile, such as `Ctrl+Z`, as they are
+ *  reached on the keyboard in use, parted by #GUI_KEY_GAP. @return Their number. */
+int help_key_names(const Help *help, const Command *command, char *text, size_t size);
 
 /* --- the drawn keyboard ----------------------------------------------------------------------- */
 

@@ -73,7 +73,7 @@ static void append_keys(const Help *help, const char *name, char keys[KEYS_SIZE]
     char own[KEYS_SIZE] = "";
     size_t used = strlen(keys);
     if (command) {
-        help_key_names(command, help->by_letter, own, sizeof own);
+        help_key_names(help, command, own, sizeof own);
         snprintf(keys + used, KEYS_SIZE - used, "%s", own);
     }
 }

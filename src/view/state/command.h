@@ -32,10 +32,16 @@ typedef struct CommandKey {
     SDL_Keycode keycode;   /**< Letter or name; 0 with a scancode: it always goes by position. */
     const char *label;     /**< Its name in the help, in English; NULL: what is printed on it;
                                 empty: none. */
+    bool is_spare;         /**< Whether it counts only where it is no key of another command: for
+                                keyboards that have the others with Shift alone, or not at all. */
 } CommandKey;
 
 /** Most keys of a command. */
-enum { COMMAND_KEYS = 3 };
+enum { COMMAND_KEYS = 5 };
+
+/** Modifiers with which a key counts by what is printed on it, even where its place is that of
+ *  another command: AltGr, on any keyboard. */
+enum { COMMAND_BY_PRINT = KMOD_RALT | KMOD_MODE };
 
 /** A command, or a row of the help about something that is not a command (no name). */
 typedef struct Command {

@@ -131,15 +131,32 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
                   (int)settings->lighting);
 }
 
+/** The menu of what is about the window, not about the picture; a folded bar has a button instead,
+ *  which unfolds it. */
+static void menu(Toolbar *toolbar, const ToolbarContent *content) {
+    static const char *const commands[] = {"toolbar",     "toolbar keys", "presentation",
+                                           "full screen", "text larger",  "text smaller",
+                                           "language",    "record",       "quit"};
+    enum { COUNT = sizeof commands / sizeof *commands };
+    char texts[COUNT][TOOLTIP_SIZE];
+    const char *entries[COUNT];
+    if (toolbar->is_folded) {
+        command_button(toolbar, content, "☰", "toolbar", false);
+        return;
+    }
+    for (size_t i = 0; i < COUNT; i++) {
+        entries[i] = tooltip_write(content->help, commands[i], texts[i]);
+    }
+    int chosen = gui_menu("☰", gettext("bar, letters, language, lessons to record, the way out"),
+                          entries, COUNT);
+    request(toolbar, chosen >= 0 ? commands[chosen] : NULL, chosen >= 0);
+}
+
 void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
-    char text[TOOLTIP_SIZE];
     gui_bar_begin(toolbar->is_folded);
-    request(toolbar, "toolbar",
-            gui_button("☰",
-                       tooltip_write_pair(content->help, "toolbar", "toolbar keys", ", ", text),
-                       !toolbar->is_folded));
+    menu(toolbar, content);
     if (!toolbar->is_folded) {
         command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
         layer_choice(toolbar, content);
@@ -159,7 +176,9 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
         possible_button(toolbar, content, "↩", "undo", content->can_undo);
         possible_button(toolbar, content, "↪", "redo", content->can_redo);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
-        command_button(toolbar, content, "●", "record", content->is_recording);
+        if (content->is_recording) {
+            command_button(toolbar, content, "●", "record", true);
+        }
         command_button(toolbar, content, "?", "help", content->help->is_open);
     }
     toolbar->height = gui_bar_end();

@@ -161,14 +161,26 @@ expect_shown 'finished — f64' 'a click on another list opens it, while one is 
 xdotool mousemove --window "$window" 220 24 click 1
 settled
 xdotool mousemove --window "$window" 24 24 click 1
-within is_lower "$tall" && ok 'a click on a button while a list is open does what the button does' ||
+settled
+xdotool mousemove --window "$window" 60 66 click 1
+within is_lower "$tall" && ok 'a click on a button while a list is open does what it does: a menu, which hides the bar' ||
     fail "the window is $(height) high"
 xdotool key F2
 within is_tall
+[ "$(height)" = "$tall" ] && ok 'the window is as high again as it was' || fail "the window is $(height) high, not $tall"
 xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
 xdotool click 1 && settled && xdotool click 1
 restored closed 'a click on the list itself closes it'
-leave
+# The last entry of the menu ends the program; it asks first while a lesson is recorded.
+xdotool key r
+shown 'recording'
+for time in first second; do
+    xdotool mousemove --window "$window" 24 24 click 1
+    settled
+    xdotool mousemove --window "$window" 60 290 click 1
+    [ $time = first ] && expect_shown 'leave again to end it' 'the menu asks before it ends the program'
+done
+closed 'then it ends it' 0
 
 # --- the bar by keys ---------------------------------------------------------------------------------
 open "$box" --samples 1

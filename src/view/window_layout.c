@@ -147,6 +147,8 @@ float window_text_size(const Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
     window_size_below_toolbar(window, &width, &height);
+    // The bar of the rays has the letters of the usual one: else each would change the other.
+    height += (int)(window->toolbar.height - window->toolbar.usual_height);
     const float rows = window_area(window).h < window_area_below_toolbar(window).h
                            ? ROWS_ABOVE_PANEL
                            : ROWS_BELOW_TOOLBAR;

@@ -109,17 +109,24 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     }
 }
 
-/** Number type, depth, samples and light. */
-static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+/** The settings of a ray: offset, number type, depth. */
+static void ray_settings(Toolbar *toolbar, const ToolbarContent *content) {
     static const char *const types[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
     const RenderSettings *settings = content->settings;
-    const char *lights[LIGHTING_MODE_COUNT];
-    char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
+    char depth[LABEL_SIZE], deepest[LABEL_SIZE];
+    offset_widgets(toolbar, content);
     cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
     snprintf(depth, sizeof depth, gettext("%d bounces"), settings->trace.depth);
     snprintf(deepest, sizeof deepest, gettext("%d bounces"), DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
+}
+
+/** The settings of a picture: samples and light. */
+static void picture_settings(Toolbar *toolbar, const ToolbarContent *content) {
+    const RenderSettings *settings = content->settings;
+    const char *lights[LIGHTING_MODE_COUNT];
+    char samples[LABEL_SIZE], most[LABEL_SIZE];
     // Words that are short: the tooltips say depth and samples per pixel.
     snprintf(samples, sizeof samples, gettext("%d rays"), settings->samples);
     snprintf(most, sizeof most, gettext("%d rays"), KEY_SAMPLES_MAXIMUM);
@@ -152,29 +159,43 @@ static void menu(Toolbar *toolbar, const ToolbarContent *content) {
     request(toolbar, chosen >= 0 ? commands[chosen] : NULL, chosen >= 0);
 }
 
-void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
+/** The widgets of the rays of a pixel, with the settings that such a ray has. */
+static void ray_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+    ray_view_show_buttons(content->rays, content->help);
+    ray_settings(toolbar, content);
+}
+
+/** The widgets of the picture. */
+static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
+    command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
+    layer_choice(toolbar, content);
+    ray_settings(toolbar, content);
+    picture_settings(toolbar, content);
+    command_button(toolbar, content, "↺", "as at first", false);
+    cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
+    if (content->is_animated) {
+        command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
+                       content->is_running);
+    }
+    command_button(toolbar, content, gettext("rays"), "rays", false);
+    command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+    command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
+    command_button(toolbar, content, gettext("magnifier"), "magnifier", content->shows_magnifier);
+    possible_button(toolbar, content, "↩", "undo", content->can_undo);
+    possible_button(toolbar, content, "↪", "redo", content->can_redo);
+}
+
+void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     gui_bar_begin(toolbar->is_folded);
     menu(toolbar, content);
     if (!toolbar->is_folded) {
-        command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
-        layer_choice(toolbar, content);
-        offset_widgets(toolbar, content);
-        setting_widgets(toolbar, content);
-        command_button(toolbar, content, "↺", "as at first", false);
-        cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
-        if (content->is_animated) {
-            command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
-                           content->is_running);
+        if (content->rays) {
+            ray_widgets(toolbar, content);
+        } else {
+            picture_widgets(toolbar, content);
         }
-        command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
-        command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
-        command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
-        command_button(toolbar, content, gettext("magnifier"), "magnifier",
-                       content->shows_magnifier);
-        possible_button(toolbar, content, "↩", "undo", content->can_undo);
-        possible_button(toolbar, content, "↪", "redo", content->can_redo);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
         if (content->is_recording) {
             command_button(toolbar, content, "●", "record", true);

@@ -443,7 +443,7 @@ LOOKING_UP   := error_set:3 error_prefix:2 lua_error_tr:2 app_set_status:2 title
 .PHONY: pot
 pot:
 	@.ci/packages gettext
-	@xgettext --from-code=UTF-8 --keyword=N_ $(LOOKING_UP:%=--keyword=%) $(LOOKING_UP:%=--flag=%:c-format) \
+	@xgettext --from-code=UTF-8 --keyword=N_ --keyword=NC_:1c,2 $(LOOKING_UP:%=--keyword=%) $(LOOKING_UP:%=--flag=%:c-format) \
 	    --add-location=file --package-name=dioptre --package-version=$(VERSION) -o - $(WORD_SOURCES) | \
 	    sed '/^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' >$(PO)/dioptre.pot
 	@for po in $(PO)/*.po; do \

@@ -102,9 +102,9 @@ for close in '110 24' '740 150'; do
     restored picture "a click at $close closes the list of scenes"
 done
 # The slider of epsilon lies right of the middle of that row; while it is held, epsilon stays.
-xdotool mousemove --window "$window" 520 24 mousedown 1 mousemove --window "$window" 560 24
-epsilon() { title | sed -n 's/.*epsilon \([0-9.e-]*\).*/\1/p'; }
-expect_shown "offset fixed, epsilon .*the scene's own offset, bound, is off" 'what else the slider changes is told'
+xdotool mousemove --window "$window" 500 24 mousedown 1 mousemove --window "$window" 535 24
+epsilon() { title | sed -n 's/.*epsilon: \([0-9.e-]*\).*/\1/p'; }
+expect_shown "finished — epsilon: .*, offset: fixed; the scene's own offset, bound, is off" 'what else the slider changes is told'
 settled
 held=$(epsilon)
 sleep 1
@@ -154,10 +154,10 @@ tall=$(height)
 # The list of number types is the last of the first row; its second entry lies two rows below it.
 xdotool mousemove --window "$window" 220 24 click 1
 settled
-xdotool mousemove --window "$window" 686 24 click 1
+xdotool mousemove --window "$window" 648 24 click 1
 settled
-xdotool mousemove --window "$window" 686 94 click 1
-expect_shown 'finished — f64' 'a click on another list opens it, while one is open'
+xdotool mousemove --window "$window" 648 94 click 1
+expect_shown 'finished — number type: double \(f64' 'a click on another list opens it, while one is open'
 xdotool mousemove --window "$window" 220 24 click 1
 settled
 xdotool mousemove --window "$window" 24 24 click 1
@@ -170,6 +170,8 @@ within is_tall
 [ "$(height)" = "$tall" ] && ok 'the window is as high again as it was' || fail "the window is $(height) high, not $tall"
 xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
 xdotool click 1 && settled && xdotool click 1
+# After a click a button says no more what it does, until the mouse comes again.
+xdotool mousemove --window "$window" 400 500 mousemove --window "$window" 220 24
 restored closed 'a click on the list itself closes it'
 # The last entry of the menu ends the program; it asks first while a lesson is recorded.
 xdotool key r
@@ -194,9 +196,9 @@ expect_shown 'normals.*finished' 'arrows and Enter open a list and choose'
 # On to the offset, epsilon, the number type; the next is in the second row: less depth, more depth.
 for key in Tab Tab Tab Tab Tab; do xdotool key $key && sleep 0.2; done
 xdotool key space
-expect_shown 'depth 9' 'Tab goes on to the next row, Space presses a button'
+expect_shown 'finished — depth: 9$' 'Tab goes on to the next row, Space presses a button'
 xdotool key shift+Tab && sleep 0.2 && xdotool key Return
-expect_shown 'depth 8' 'Shift Tab goes back'
+expect_shown 'finished — depth: 8$' 'Shift Tab goes back'
 xdotool key 3 && sleep 0.5
 shown 'normals' && ok 'meanwhile digits are no commands' || fail "the title says $(title)"
 xdotool key Escape && sleep 0.3 && xdotool key 3

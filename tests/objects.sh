@@ -105,6 +105,18 @@ xdotool key Return && settled && xdotool key Escape && settled
 setxkbmap us && sleep 0.5
 xdotool key ctrl+c && sleep 0.5
 tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, ' && ok 'AZERTY: digits without Shift, and a comma' || fail "$(tail -1 "$work/log")"
+# Below the radius are the transform, the material, its colour; right of the brightness is its square.
+xdotool key F10 && settled
+for key in Down Down Down Down Down Down Down Down Right Return; do xdotool key $key && sleep 0.2; done
+xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2 && xdotool type 0,25 && sleep 0.3 && xdotool key Return && sleep 0.3
+for key in Down space Right Right Right space Down Down Return; do xdotool key $key && sleep 0.2; done
+settled && xdotool key Escape && settled
+xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -qE '^sphere \{ radius = 1.203, material = material \{ color = \{0\.25, 0\.0[1-9][0-9]*, 0\} \} \}' &&
+    ok 'the picker of colours by keys alone: Enter opens it, types a number, presses OK; arrows change another' || fail "$(tail -1 "$work/log")"
+xdotool key ctrl+z && sleep 0.3 && xdotool key ctrl+z && sleep 0.3
+xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, material = material { color = {1, 0, 0} } }' && ok 'each is one change' || fail "$(tail -1 "$work/log")"
 xdotool key ctrl+z
 # is_undone: whether the value of before is back.
 is_undone() { xdotool key ctrl+c && sleep 0.3 && tail -1 "$work/log" | grep -q '^sphere { radius = 0.5, '; }

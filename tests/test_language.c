@@ -12,6 +12,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** Number of workers. */
 enum { WORKERS = 30 };
@@ -66,10 +67,44 @@ static void test_workers(void **state) {
     assert_int_equal(wrong, 0);
 }
 
+/** Numbers of the window have a comma in French, and semicolons where commas stood between them;
+ *  names, words and what has no room stay. */
+static void test_numbers(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *french;
+    } cases[] = {
+        {"1.5e-04 ms, 3.25 %", "1,5e-04 ms, 3,25 %"},
+        {"(0.5, -1, 2.25)", "(0,5\xc2\xa0; -1\xc2\xa0; 2,25)"},
+        {"(inf, nan, 1)", "(inf\xc2\xa0; nan\xc2\xa0; 1)"},
+        {"n (4, 5), 6, 7", "n (4\xc2\xa0; 5), 6, 7"},
+        {"(u, v): 1, 2.5", "(u, v): 1, 2,5"},
+        {"end 3. Then .5 a.b 1.x", "end 3. Then .5 a.b 1.x"},
+        {"", ""},
+    };
+    for (int is_french = 0; is_french < 2; is_french++) {
+        language_init_as(is_french);
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            char text[64];
+            strcpy(text, cases[i].text);
+            language_localize_numbers(text, sizeof text);
+            assert_string_equal(text, is_french ? cases[i].french : cases[i].text);
+        }
+    }
+    // A sign takes two bytes more than what it replaces.
+    char full[] = "(0.5, 1, 2)";
+    language_localize_numbers(full, sizeof full);
+    assert_string_equal(full, "(0,5, 1, 2)");
+    char room[] = "(0.5, 1, 2)\0\0";
+    language_localize_numbers(room, sizeof room);
+    assert_string_equal(room, "(0,5\xc2\xa0; 1, 2)");
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{"translate", translate_task}, {0}};
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_workers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_workers),
+                                       cmocka_unit_test(test_numbers)};
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);
     }

@@ -288,26 +288,27 @@ expect_shown '800×600, distance, ' 'azerty: digits without Shift'
 setxkbmap us && sleep 0.3
 xdotool key 1
 
-# as_set KEY OPTION...: the key must give the picture that render draws with the options.
+# as_set KEY STATUS OPTION...: the key says what it has changed, and nothing else, and gives the picture that
+# render draws with the options.
 as_set() {
-    local key=$1
-    shift
+    local key=$1 status=$2
+    shift 2
     xdotool key "$key"
-    expect_shown 'pass 1 px, .*finished — f' "$key says the settings"
+    expect_shown "pass 1 px, .*finished — $status\$" "$key says: $status"
     "$dioptre" render "$box" "$@" -o "$work/render.bmp"
     shoot
     same "$shot" "$work/render.bmp" "$key is $*"
 }
-as_set o --samples 1 --offset none
-as_set o --samples 1 --offset fixed
-as_set bracketright --samples 1 --offset fixed --epsilon 2e-4
-as_set shift+bracketright --samples 1 --offset fixed --epsilon 2e-3
-as_set shift+bracketleft --samples 1 --offset fixed --epsilon 2e-4
-as_set g --samples 1 --offset fixed --epsilon 2e-4 --engine f64x1
-as_set shift+g --samples 1 --offset fixed --epsilon 2e-4
-as_set b --samples 1 --offset fixed --epsilon 2e-4 --depth 9
-as_set n --samples 2 --offset fixed --epsilon 2e-4 --depth 9
-as_set BackSpace --samples 1
+as_set o 'offset: none' --samples 1 --offset none
+as_set o 'offset: fixed' --samples 1 --offset fixed
+as_set bracketright 'epsilon: 0.0002, offset: fixed; the scene.s own offset, bound, is off' --samples 1 --offset fixed --epsilon 2e-4
+as_set shift+bracketright 'epsilon: 0.002, offset: fixed; .*' --samples 1 --offset fixed --epsilon 2e-3
+as_set shift+bracketleft 'epsilon: 0.0002, offset: fixed; .*' --samples 1 --offset fixed --epsilon 2e-4
+as_set g 'number type: double \(f64x[0-9]*\)' --samples 1 --offset fixed --epsilon 2e-4 --engine f64x1
+as_set shift+g 'number type: float \(f32x[0-9]*\)' --samples 1 --offset fixed --epsilon 2e-4
+as_set b 'depth: 9' --samples 1 --offset fixed --epsilon 2e-4 --depth 9
+as_set n 'samples: 2' --samples 2 --offset fixed --epsilon 2e-4 --depth 9
+as_set BackSpace 'settings as at first' --samples 1
 sed -e 's/^ambient.*/ambient(0)/' -e 's/^sky.*/sky { color = 0 }/' "$box" >"$work/dark.lua"
 xdotool key m
 expect_shown 'light: light alone' 'm takes ambient light and sky away'
@@ -333,14 +334,14 @@ as_said() {
 as_said u 'as report A \(mirrors fade' --methods a
 as_said u 'as report B \(' --methods b
 as_said u 'as report C \(ambient' --methods c
-as_set o --samples 1 --methods c --offset bound
+as_set o 'offset: bound' --samples 1 --methods c --offset bound
 as_said u 'as report D \(light is added' --methods d
 as_said F8 'rays go through the corners' --methods d --pixel corner
 as_said shift+u 'as report C' --methods c --pixel corner
 as_said F8 'rays go through the centres' --methods c
 xdotool key i && sleep 0.3
 screen methods
-xdotool key i BackSpace && shown 'finished — f'
+xdotool key i BackSpace && shown 'finished — settings as at first'
 shoot
 "$dioptre" render "$box" --samples 1 -o "$work/render.bmp"
 same "$shot" "$work/render.bmp" 'Backspace: our own methods'
@@ -348,7 +349,7 @@ same "$shot" "$work/render.bmp" 'Backspace: our own methods'
 xdotool key i && sleep 0.2
 screen plain
 xdotool key x o
-expect_shown 'offset none' 'x, and keys change the right side'
+expect_shown 'offset: none' 'x, and keys change the right side'
 shown 'finished' && sleep 0.3
 screen beside
 differ plain beside 'a picture without offset beside one with it'

@@ -10,6 +10,7 @@
 
 #include "base/executable_dir.h"
 
+#include <ctype.h>
 #include <libintl.h>
 #include <locale.h>
 #include <stdio.h>
@@ -19,6 +20,8 @@
 
 /** Domain of the translations (gettext). */
 static const char TEXT_DOMAIN[] = "dioptre";
+/** Ends the context of a word of #NC_, as gettext has it. */
+static const char CONTEXT_END = '\004';
 /** Locale in which messages are translated. */
 static const char TRANSLATED_LOCALE[] = "C.UTF-8";
 /** Locale in which they are not. */
@@ -107,6 +110,38 @@ void language_toggle(void) {
 
 bool language_is_french(void) {
     return strcmp(setlocale(LC_MESSAGES, NULL), ENGLISH_LOCALE) != 0;
+}
+
+/** @return Whether a number begins here. */
+static bool is_number(const char *text) {
+    text += *text == '-' || *text == '+';
+    return isdigit((unsigned char)*text) || strncmp(text, "inf", 3) == 0 ||
+           strncmp(text, "nan", 3) == 0;
+}
+
+void language_localize_numbers(char *text, size_t size) {
+    /** A comma would be read as a decimal one; the space before the semicolon does not break. */
+    static const char between[] = "\xc2\xa0; ";
+    /** The comma and the space that it replaces. */
+    const size_t replaced = strlen(", ");
+    int depth = 0;
+    for (char *c = text; language_is_french() && *c; c++) {
+        const unsigned char before = c > text ? (unsigned char)c[-1] : '\0';
+        depth += (*c == '(') - (*c == ')');
+        if (*c == '.' && isdigit(before) && isdigit((unsigned char)c[1])) {
+            *c = ',';
+        } else if (*c == ',' && c[1] == ' ' && depth > 0 && isalnum(before) &&
+                   is_number(c + replaced) && strlen(text) + sizeof between - replaced <= size) {
+            memmove(c + strlen(between), c + replaced, strlen(c + replaced) + 1);
+            memcpy(c, between, strlen(between));
+            c += strlen(between) - 1;
+        }
+    }
+}
+
+const char *language_word(const char *word) {
+    const char *translated = gettext(word), *end = strchr(translated, CONTEXT_END);
+    return end ? end + 1 : translated;
 }
 
 int language_text_width(const char *text) {

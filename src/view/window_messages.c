@@ -79,14 +79,31 @@ static const char *message_text(const Window *window) {
 
 float window_messages_height(const Window *window) {
     const char *text = message_text(window);
-    return text[0] != '\0' ? gui_message_height(text) + gui_text_size() / 2 : 0;
+    return text[0] != '\0' ? gui_message_size(text).y + gui_text_size() / 2 : 0;
+}
+
+/** @return The lower edge of a message: above the legends that it would hide, where there is room.
+ *  @param low Where it would be. */
+static float above_legends(const Window *window, const char *text, float width, float low) {
+    const GuiPoint size = gui_message_size(text);
+    const GuiRect message = {(width - size.x) / 2, low - size.y, size.x, size.y};
+    float edge = low;
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        const GuiRect *legend = &window->legend_rects[i];
+        if (window_overlap(&message, legend)) {
+            edge = fminf(edge, legend->y - gui_text_size() / 4);
+        }
+    }
+    return edge - size.y > window->toolbar.height ? edge : low;
 }
 
 void window_show_messages(const Window *window, int width, float bottom) {
     const char *text = message_text(window);
+    bool is_covered = window->help.is_open || window->browser.is_open;
+    float edge = bottom - gui_text_size() / 2;
     if (text[0] != '\0') {
-        gui_message("toast", text, (GuiPoint){(float)width / 2, bottom - gui_text_size() / 2},
-                    GUI_ABOVE);
+        edge = is_covered ? edge : above_legends(window, text, (float)width, edge);
+        gui_message("toast", text, (GuiPoint){(float)width / 2, edge}, GUI_ABOVE);
     }
 }
 

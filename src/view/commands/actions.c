@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_words.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/edits.h"
 #include "view/commands/recorder.h"
@@ -72,14 +73,8 @@ void action_reset_view(App *app, int argument) {
 
 /* --- how the picture is drawn ----------------------------------------------------------------- */
 
-/** Shows the settings of the active picture in the title. */
-static void show_settings_status(App *app) {
-    RenderSettings settings = window_requested_settings(&app->window);
-    app_set_status(app, "%s, offset %s, epsilon %.3g, depth %d, samples %d, light: %s",
-                   settings.engine->name, offset_strategy_names[settings.trace.offset],
-                   settings.trace.epsilon, settings.trace.depth, settings.samples,
-                   gettext(light_mode_name(settings.lighting)));
-}
+/** Bytes of a number as text with the final zero. */
+enum { NUMBER_TEXT_SIZE = 32 };
 
 /** @return Whether rays march through any shape of a scene. */
 static bool has_marched_shape(const Scene *scene) {
@@ -98,53 +93,66 @@ void action_set_layer(App *app, int layer) {
     }
 }
 
-/** Changes one setting of the active picture. */
-static void change_setting(App *app, SettingsChangeFn *change, int step) {
+/** Changes one setting of the active picture. @return The settings that it has then. */
+static RenderSettings change_setting(App *app, SettingsChangeFn *change, int step) {
     window_override_setting(&app->window, change, step);
-    show_settings_status(app);
+    return window_requested_settings(&app->window);
+}
+
+/** @return The name of an offset strategy for a reader. */
+static const char *offset_word(OffsetStrategy offset) {
+    return scene_value_word("offset", offset_strategy_names[offset]);
 }
 
 void action_change_engine(App *app, int step) {
-    change_setting(app, settings_override_engine, step);
+    const Engine *engine = change_setting(app, settings_override_engine, step).engine;
+    app_set_status(app, "number type: %s (%s)",
+                   scene_value_word("number", number_type_names[number_type_of(engine)]),
+                   engine->name);
 }
 
 void action_change_offset(App *app, int step) {
-    change_setting(app, settings_override_offset, step);
+    RenderSettings settings = change_setting(app, settings_override_offset, step);
+    app_set_status(app, "offset: %s", offset_word(settings.trace.offset));
 }
 
 void action_change_epsilon(App *app, int factor) {
     OffsetStrategy before = app->window.base_settings.trace.offset;
-    change_setting(app, settings_override_epsilon, factor);
-    RenderSettings settings = window_requested_settings(&app->window);
+    RenderSettings settings = change_setting(app, settings_override_epsilon, factor);
+    char epsilon[NUMBER_TEXT_SIZE];
+    snprintf(epsilon, sizeof epsilon, "%.3g", settings.trace.epsilon);
+    language_localize_numbers(epsilon, sizeof epsilon);
     if (before != settings.trace.offset) {
         // The slider changes two settings at once, and only one of them is under the mouse.
-        app_set_status(app, "%s, offset %s, epsilon %.3g: the scene's own offset, %s, is off",
-                       settings.engine->name, offset_strategy_names[settings.trace.offset],
-                       settings.trace.epsilon, offset_strategy_names[before]);
+        app_set_status(app, "epsilon: %s, offset: %s; the scene's own offset, %s, is off", epsilon,
+                       offset_word(settings.trace.offset), offset_word(before));
+    } else {
+        app_set_status(app, "epsilon: %s", epsilon);
     }
 }
 
 void action_change_depth(App *app, int step) {
-    change_setting(app, settings_override_depth, step);
+    app_set_status(app, "depth: %d",
+                   change_setting(app, settings_override_depth, step).trace.depth);
 }
 
 void action_change_samples(App *app, int step) {
-    change_setting(app, settings_override_samples, step);
+    app_set_status(app, "samples: %d",
+                   change_setting(app, settings_override_samples, step).samples);
 }
 
 void action_change_lighting(App *app, int step) {
-    change_setting(app, settings_override_lighting, step);
+    RenderSettings settings = change_setting(app, settings_override_lighting, step);
+    app_set_status(app, "light: %s", gettext(light_mode_name(settings.lighting)));
 }
 
 void action_change_pixel(App *app, int step) {
-    window_override_setting(&app->window, settings_override_pixel, step);
-    RenderSettings settings = window_requested_settings(&app->window);
+    RenderSettings settings = change_setting(app, settings_override_pixel, step);
     app_set_status(app, "rays go %s", gettext(pixel_point_name(settings.trace.pixel_point)));
 }
 
 void action_change_methods(App *app, int step) {
-    window_override_setting(&app->window, settings_override_methods, step);
-    RenderSettings settings = window_requested_settings(&app->window);
+    RenderSettings settings = change_setting(app, settings_override_methods, step);
     app_set_status(app, "%s (%s)", gettext(method_set_name(settings.method_set)),
                    gettext(method_set_effect(settings.method_set)));
 }
@@ -152,7 +160,7 @@ void action_change_methods(App *app, int step) {
 void action_reset_settings(App *app, int argument) {
     (void)argument;
     window_reset_overrides(&app->window);
-    show_settings_status(app);
+    app_set_status(app, "settings as at first");
 }
 
 void action_toggle_settings(App *app, int argument) {

@@ -123,17 +123,15 @@ void take_keyboard(Gui *gui) {
 }
 
 /**
- * Makes what is typed part of a number, as only numbers are typed into fields: a comma, which many
- * write in them, and what a French keyboard gives for its digits without Shift. A sign that numbers
- * have, such as the minus there, stays.
+ * Makes what is typed part of a number, as only numbers are typed into fields: what a French
+ * keyboard gives for its digits without Shift. A sign that numbers have, such as the minus there,
+ * stays.
  * @param key   The key that typed it.
  * @param text  What is typed.
  */
 void use_signs_of_numbers(SDL_Scancode key, char *text) {
     const bool is_digit_key = key >= SDL_SCANCODE_1 && key <= SDL_SCANCODE_0;
-    if (strcmp(text, ",") == 0) {
-        text[0] = '.';
-    } else if (is_digit_key && !strchr("0123456789+-.eE", text[0])) {
+    if (is_digit_key && !strchr("0123456789+-.,eE", text[0])) {
         text[0] = static_cast<char>('0' + (key - SDL_SCANCODE_1 + 1) % 10);
         text[1] = '\0';
     }
@@ -152,6 +150,18 @@ void use_keys_of_bar(SDL_KeyboardEvent *key) {
         place = is_back ? SDL_SCANCODE_LEFT : SDL_SCANCODE_RIGHT;
         // Shift may have changed since Tab went down.
         ImGui::GetIO().KeysDown[is_back ? SDL_SCANCODE_RIGHT : SDL_SCANCODE_LEFT] = false;
+    }
+}
+
+/** Makes Enter in the inspector press what is no number, as Space does; a number is typed then. */
+void use_keys_of_inspector(const Gui *gui, SDL_KeyboardEvent *key) {
+    SDL_Scancode &place = key->keysym.scancode;
+    const bool is_enter = place == SDL_SCANCODE_RETURN || place == SDL_SCANCODE_KP_ENTER;
+    if (key->type == SDL_KEYDOWN && is_enter && !gui->is_number_chosen &&
+        !ImGui::GetIO().WantTextInput) {
+        place = SDL_SCANCODE_SPACE;
+    } else if (key->type == SDL_KEYUP && is_enter) {
+        ImGui::GetIO().KeysDown[SDL_SCANCODE_SPACE] = false; // Whatever it was when it went down.
     }
 }
 
@@ -271,6 +281,8 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
         }
         if (gui->keyboard == GUI_BAR) {
             use_keys_of_bar(&typed.key);
+        } else if (gui->keyboard == GUI_INSPECTOR) {
+            use_keys_of_inspector(gui, &typed.key);
         }
         ImGui_ImplSDL2_ProcessEvent(&typed);
         gui->due_frames = FRAMES_PER_EVENT;
@@ -371,7 +383,10 @@ void gui_begin_frame(Gui *gui, float text_size) {
     style.FrameRounding = style.PopupRounding = style.GrabRounding = style.ScrollbarRounding =
         style.WindowRounding = ROUNDING * text_size;
     gui->texts.resize(0);
-    gui->is_inspecting = gui->has_bar = false;
+    if (!gui->silenced.Contains(io.MousePos)) {
+        gui->silenced = ImRect();
+    }
+    gui->is_inspecting = gui->has_bar = gui->is_number_chosen = false;
     ImGui::NewFrame();
     if (gui->closes_list) {
         ImGui::ClosePopupsOverWindow(nullptr, false);

@@ -261,8 +261,8 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
  *  has chosen now; -1: none. */
 int gui_menu(const char *label, const char *tooltip, const char *const *entries, int count);
 
-/** A number with a button on each side. @param widest The widest text that it may have, so that the
- *  bar does not move. @return -1 or 1: the user wants less or more; else 0. */
+/** A number with a button on each side. @param widest The widest text that keys give it, so that
+ * the bar does not move. @return -1 or 1: the user wants less or more; else 0. */
 int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip);
 
 /**
@@ -288,8 +288,8 @@ typedef enum {
 /** Writes a message in a box, which is centred at a point. */
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
 
-/** @return The height of what #gui_message shows. */
-float gui_message_height(const char *text);
+/** @return Width and height of what #gui_message shows. */
+GuiPoint gui_message_size(const char *text);
 
 /** @return The height of what #gui_readout shows at the left edge. */
 float gui_readout_height(const char *text);
@@ -539,8 +539,11 @@ bool gui_edit_slider(const char *label, double *number, double low, double high,
                      const char *tooltip);
 
 /** A colour: its brightness, which is its largest channel, and a picker. @param[in,out] rgb Linear
- *  light. @param high Largest value of a channel. @return Whether the user has changed it. */
-bool gui_edit_color(const char *label, double rgb[3], double high, const char *tooltip);
+ *  light. @param high Largest value of a channel. @param channels Words for red, green and blue,
+ *  which are numbers below the picker, as keys do not reach its square. @return Whether the user
+ *  has changed it. */
+bool gui_edit_color(const char *label, double rgb[3], double high, const char *const channels[3],
+                    const char *tooltip);
 
 /** A check box. @return Whether the user has changed it. */
 bool gui_edit_check(const char *label, double *number, const char *tooltip);

@@ -4,6 +4,10 @@
  */
 #include "view/gui/gui_internal.h"
 
+extern "C" {
+#include "base/language.h"
+}
+
 namespace {
 
 /** Fewest lines of text that a plot is high. */
@@ -67,6 +71,7 @@ void draw_chart_grid(ImDrawList *list, const ChartArea &area) {
     for (double x = area.x.low; x <= area.x.high; x++) {
         ImVec2 at = chart_position(area, pow(10, x), 0);
         snprintf(text, sizeof text, "%g", pow(10, x));
+        language_localize_numbers(text, sizeof text);
         list->AddLine(ImVec2(at.x, area.low.y), ImVec2(at.x, area.high.y), GRID);
         float half = ImGui::CalcTextSize(text).x / 2;
         if (at.x - half > last + line / 4) {
@@ -78,6 +83,7 @@ void draw_chart_grid(ImDrawList *list, const ChartArea &area) {
     for (double y = area.y.low; y <= area.y.high; y++) {
         ImVec2 at = chart_position(area, 0, pow(10, y));
         snprintf(text, sizeof text, "%g", pow(10, y));
+        language_localize_numbers(text, sizeof text);
         list->AddLine(ImVec2(area.low.x, at.y), ImVec2(area.high.x, at.y), GRID);
         float left = area.low.x - ImGui::CalcTextSize(text).x - line / 4;
         if (at.y + line / 2 <= last) {

@@ -58,12 +58,14 @@ struct Gui {
     bool is_inspecting;       /**< Whether this frame shows the inspector. */
     bool has_bar;             /**< Whether it shows the bar. */
     ImRect inspector;         /**< Where, if so. */
+    bool is_number_chosen;    /**< Whether keys have chosen a number, which Enter lets type. */
     bool has_text_input;      /**< Whether the system is asked for letters. */
     SDL_Scancode plain_key;   /**< The last key that went down without Shift and its like; unknown:
                                    another one has. */
     bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     ImRect list_opener;       /**< The widget that has opened the list. */
+    ImRect silenced;          /**< The widget that was clicked, until the mouse leaves it. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
 };
@@ -144,6 +146,22 @@ bool begin_menu(const char *label, const char *tooltip, bool is_below);
 
 /** Notes that a list is open below a widget. @param opener The widget. */
 void note_open_list(const ImRect &opener);
+
+/** How a number is shown and changed. */
+struct NumberField {
+    double low;             /**< Its least value. */
+    double high;            /**< Its largest value. */
+    float speed;            /**< How much a pixel of a drag changes it; 0: it is a slider. */
+    const char *format;     /**< As for printf. */
+    ImGuiSliderFlags flags; /**< More flags of Dear ImGui. */
+};
+
+/** A number that the user drags, slides or types, without a label. @return Whether it has changed.
+ */
+bool edit_number(const char *id, double *number, const NumberField &field);
+
+/** Writes a label right of the last widget. */
+void put_label(const char *label);
 
 /** A button with a tooltip. @param is_marked Whether its words stand out. @return Whether it was
  *  clicked. */

@@ -24,12 +24,12 @@ constexpr float COLOR_DRAG = 0.01F;
 constexpr char BRIGHTNESS[] = "\xe2\x98\xbc %.3f";
 /** Width of the picker of colours, in heights of letters. */
 constexpr float PICKER_WIDTH = 8;
+/** Width of a number of red, green or blue below it, in heights of letters. */
+constexpr float CHANNEL_WIDTH = 5;
 /** Colours are rounded to this fraction of 1. */
 constexpr double COLOR_GRAINS = 10000;
 /** Bytes of the inspector's title with the final zero. */
 constexpr size_t INSPECTOR_TITLE_SIZE = 256;
-/** Bytes of a number with the final zero. */
-constexpr size_t NUMBER_SIZE = 64;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
 
@@ -48,20 +48,57 @@ double round_color(double linear) {
     return round(linear * COLOR_GRAINS) / COLOR_GRAINS;
 }
 
-/** A slider from 0 to 1, or a number that is dragged if it may be larger. @return Whether the user
- *  has changed it. */
-bool drag_or_slide(const char *id, double *number, double high) {
-    const double low = 0;
-    return high <= 1 ? ImGui::SliderScalar(id, ImGuiDataType_Double, number, &low, &high,
-                                           BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp)
-                     : ImGui::DragScalar(id, ImGuiDataType_Double, number, COLOR_DRAG, &low, &high,
-                                         BRIGHTNESS, ImGuiSliderFlags_AlwaysClamp);
+/** @return A number from 0 on as a slider, or as one that is dragged if it may be above 1. */
+NumberField light_field(double high, const char *format) {
+    return NumberField{0, high, high <= 1 ? 0 : COLOR_DRAG, format, 0};
+}
+
+/** Shows red, green and blue as numbers, which keys reach. @param[in,out] rgb The colour, linear.
+ *  @return Whether the user has changed it. */
+bool edit_channels(double rgb[3], double high, const char *const channels[3]) {
+    bool is_changed = false;
+    for (int i = 0; i < 3; i++) {
+        ImGui::PushID(i);
+        ImGui::SetNextItemWidth(CHANNEL_WIDTH * ImGui::GetFontSize());
+        if (edit_number("##channel", &rgb[i], light_field(high, "%.3f"))) {
+            rgb[i] = round_color(rgb[i]);
+            is_changed = true;
+        }
+        if (i == 0) {
+            ImGui::SetItemDefaultFocus();
+        }
+        put_label(channels[i]);
+        ImGui::PopID();
+    }
+    return is_changed;
+}
+
+/** Shows the picker: a square and a bar for the mouse. @param[in,out] rgb The colour, linear.
+ *  @return Whether the user has changed it. */
+bool pick_hue(double rgb[3], double high) {
+    float encoded[3];
+    for (int i = 0; i < 3; i++) {
+        encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
+    }
+    ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
+    bool is_picked = ImGui::ColorPicker3(
+        "##picker", encoded,
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
+            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs |
+            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+    for (int i = 0; is_picked && i < 3; i++) {
+        rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
+    }
+    return is_picked;
 }
 
 /** Shows a colour as a square, which opens a picker with a button that closes it. @param[in,out]
- *  encoded The colour, sRGB. @return Whether the user has changed it. */
-bool pick_color(float encoded[3], float side) {
-    const ImVec4 shown(encoded[0], encoded[1], encoded[2], 1);
+ *  rgb The colour, linear. @param channels See #gui_edit_color. @return Whether the user has
+ *  changed it. */
+bool pick_color(double rgb[3], double high, float side, const char *const channels[3]) {
+    const ImVec4 shown(static_cast<float>(srgb_encode(rgb[0])),
+                       static_cast<float>(srgb_encode(rgb[1])),
+                       static_cast<float>(srgb_encode(rgb[2])), 1);
     bool is_picked = false;
     if (ImGui::ColorButton("##color", shown,
                            ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
@@ -72,12 +109,8 @@ bool pick_color(float encoded[3], float side) {
         note_open_list(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
     }
     if (ImGui::BeginPopup("picker")) {
-        ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
-        is_picked = ImGui::ColorPicker3(
-            "##picker", encoded,
-            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
-                ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs |
-                ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+        is_picked = pick_hue(rgb, high);
+        is_picked = edit_channels(rgb, high, channels) || is_picked;
         if (ImGui::Button("OK")) {
             ImGui::CloseCurrentPopup();
         }
@@ -110,24 +143,6 @@ void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
     list->AddText(ImVec2(left, top), TEXT, name);
     record_text(name, ImVec2(left, top), ImVec2(left + size.x, top + size.y), display_clip(),
                 ImGui::GetFontSize());
-}
-
-/** Records the numbers of the last widget, in the middle of their frames. @param left Left end of
- *  the first frame. @param width Width of all frames. */
-void record_numbers(const double *numbers, int count, const char *format, ImVec2 left,
-                    float width) {
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, parts = static_cast<float>(count);
-    const float frame = floorf((width - gap * (parts - 1)) / parts);
-    for (int i = 0; i < count; i++) {
-        char text[NUMBER_SIZE];
-        snprintf(text, sizeof text, format, numbers[i]);
-        ImVec2 size = ImGui::CalcTextSize(text);
-        ImVec2 low(left.x + static_cast<float>(i) * (frame + gap), left.y);
-        ImVec2 high(low.x + frame, low.y + ImGui::GetFrameHeight());
-        ImVec2 at((low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2);
-        record_text(text, at, ImVec2(at.x + size.x, at.y + size.y), clipped(low, high),
-                    ImGui::GetFontSize());
-    }
 }
 
 /** Puts the inspector at the right; at the left if it would lie on what it is about. It moves only
@@ -247,50 +262,22 @@ bool gui_inspector_button(const char *label, const char *tooltip, bool is_enable
     return gui_step_button(label, tooltip, is_enabled, false);
 }
 
-bool gui_edit_numbers(const char *label, double *numbers, int count, double low, double high,
-                      double speed, const char *tooltip) {
-    const char *format = count > 1 ? "%.3g" : "%.4g";
-    ImVec2 left = ImGui::GetCursorScreenPos();
-    bool is_changed = ImGui::DragScalarN(
-        label, ImGuiDataType_Double, numbers, count, static_cast<float>(speed), &low, &high, format,
-        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
-    record_right_label(label);
-    show_tooltip(tooltip);
-    record_numbers(numbers, count, format, left, ImGui::CalcItemWidth());
-    return is_changed;
-}
-
-bool gui_edit_slider(const char *label, double *number, double low, double high,
-                     const char *tooltip) {
-    bool is_changed = ImGui::SliderScalar(label, ImGuiDataType_Double, number, &low, &high, "%.3f",
-                                          ImGuiSliderFlags_AlwaysClamp);
-    record_right_label(label);
-    show_tooltip(tooltip);
-    return is_changed;
-}
-
-bool gui_edit_color(const char *label, double rgb[3], double high, const char *tooltip) {
-    float encoded[3], swatch = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    double largest = fmax(rgb[0], fmax(rgb[1], rgb[2])), brightness = largest;
+bool gui_edit_color(const char *label, double rgb[3], double high, const char *const channels[3],
+                    const char *tooltip) {
+    const float swatch = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const double largest = fmax(rgb[0], fmax(rgb[1], rgb[2]));
+    double brightness = largest;
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - swatch - gap);
-    bool is_scaled = drag_or_slide("##brightness", &brightness, high);
+    bool is_scaled = edit_number("##brightness", &brightness, light_field(high, BRIGHTNESS));
     for (int i = 0; is_scaled && i < 3; i++) {
         rgb[i] = round_color(largest > 0 ? rgb[i] / largest * brightness : brightness);
     }
     show_tooltip(tooltip);
-    for (int i = 0; i < 3; i++) {
-        encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
-    }
     ImGui::SameLine(0, gap);
-    bool is_picked = pick_color(encoded, swatch);
-    for (int i = 0; is_picked && i < 3; i++) {
-        rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
-    }
+    bool is_picked = pick_color(rgb, high, swatch, channels);
     show_tooltip(tooltip);
-    ImGui::SameLine(0, gap);
-    ImGui::TextUnformatted(label);
-    record_right_label(label);
+    put_label(label);
     ImGui::PopID();
     return is_scaled || is_picked;
 }

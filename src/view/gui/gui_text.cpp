@@ -12,6 +12,14 @@ constexpr float TITLE_SIZE = 2.2F;
 constexpr float TOOLTIP_GAP = 0.25F;
 /** Widest line of a tooltip, in heights of letters. */
 constexpr float TOOLTIP_WIDTH = 24;
+/** Room beside a panel from which a tooltip lies there, in heights of letters. */
+constexpr float BESIDE_WIDTH = 12;
+/** Largest height of a bar, of that of the display. */
+constexpr float BAR_HEIGHT = 0.34F;
+/** Largest distance of two bars that lie below each other, units of the window. */
+constexpr float BAR_DISTANCE = 2;
+/** Most bars below each other. */
+constexpr int BARS_MAXIMUM = 3;
 
 /** @return The end of the first line of a text: at a line's end or at a space, as Dear ImGui itself
  *  breaks numbers at their points. @param width Width of lines; 0: they are not broken. */
@@ -36,29 +44,89 @@ float message_width() {
            2 * ImGui::GetStyle().WindowPadding.x;
 }
 
+/** @return Whether a window is a row of widgets from one side of the display to the other. */
+bool is_bar(const ImGuiWindow *window) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    return window->Size.x >= display.x && window->Size.y < BAR_HEIGHT * display.y;
+}
+
+/** @return Whether a window is seen that begins at a height, from one side to the other. */
+bool begins_at(const ImGuiWindow *window, float top) {
+    return window->WasActive && !window->Hidden && fabsf(window->Pos.y - top) < BAR_DISTANCE &&
+           window->Size.x >= ImGui::GetIO().DisplaySize.x;
+}
+
+/** @return Where a tooltip of a bar has room: below it, and below the bars that lie there; at the
+ *  lower edge of the display where a panel does. @param height Of the tooltip. */
+float below_bars(const ImGuiWindow *bar, float height, float gap) {
+    float bottom = bar->Pos.y + bar->Size.y;
+    // In the order in which they lie on each other, not from above: each may be the next one.
+    for (int i = 0; i < BARS_MAXIMUM; i++) {
+        for (const ImGuiWindow *window : ImGui::GetCurrentContext()->Windows) {
+            const bool is_next = window != bar && begins_at(window, bottom);
+            if (is_next && !is_bar(window)) {
+                return ImGui::GetIO().DisplaySize.y - height - gap;
+            }
+            bottom = is_next ? window->Pos.y + window->Size.y : bottom;
+        }
+    }
+    return bottom + gap;
+}
+
+/** @return The width that a tooltip may have, with its padding: beside a panel where that is wide
+ *  enough, else in the whole window. */
+float tooltip_room() {
+    const ImGuiWindow *window = ImGui::GetCurrentWindowRead();
+    const float display = ImGui::GetIO().DisplaySize.x, size = ImGui::GetFontSize();
+    const float beside = fmaxf(window->Pos.x, display - window->Pos.x - window->Size.x);
+    return beside >= BESIDE_WIDTH * size ? beside - TOOLTIP_GAP * size : display;
+}
+
+/** @return Where the tooltip of the last widget lies: on neither it nor its neighbours. @param
+ *  whole Its size. @param room See #tooltip_room. */
+ImVec2 place_tooltip(ImVec2 whole, float room) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float gap = TOOLTIP_GAP * ImGui::GetFontSize();
+    const ImGuiWindow *window = ImGui::GetCurrentWindowRead();
+    if (room < display.x) {
+        const float right = window->Pos.x + window->Size.x;
+        const bool is_left = window->Pos.x > display.x - right;
+        return ImVec2(is_left ? window->Pos.x - gap - whole.x : right + gap,
+                      fmaxf(0, fminf(low.y, display.y - whole.y)));
+    }
+    ImVec2 at(fmaxf(0, fminf(low.x, display.x - whole.x)),
+              is_bar(window) ? below_bars(window, whole.y, gap) : high.y + gap);
+    at.y = at.y + whole.y > display.y ? fmaxf(0, low.y - gap - whole.y) : at.y;
+    return at;
+}
+
+/** @return Whether the last widget was clicked, and the mouse has stayed on it: who clicks knows
+ *  what it does, and looks at what it has done. */
+bool is_silenced() {
+    Gui *gui = current_gui();
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        gui->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    }
+    return gui->silenced.Contains(ImGui::GetIO().MousePos);
+}
+
 } // namespace
 
 void show_tooltip(const char *text) {
-    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
+        is_silenced()) {
         return;
     }
-    const ImVec2 display = ImGui::GetIO().DisplaySize, pad = ImGui::GetStyle().WindowPadding;
-    const float width = fminf(TOOLTIP_WIDTH * ImGui::GetFontSize(), display.x - 2 * pad.x);
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    const float room = tooltip_room();
+    const float width = fminf(TOOLTIP_WIDTH * ImGui::GetFontSize(), room - 2 * pad.x);
     const ImVec2 extent = text_extent(text, width);
-    const ImVec2 whole(extent.x + 2 * pad.x, extent.y + 2 * pad.y);
-    const float gap = TOOLTIP_GAP * ImGui::GetFontSize();
-    // Below the whole bar, so that it lies on none of its buttons; above what is too far down.
-    const ImGuiWindow *window = ImGui::GetCurrentWindowRead();
-    const bool is_bar = window->Pos.y <= 0 && window->Size.x >= display.x;
-    ImVec2 low = ImGui::GetItemRectMin();
-    ImVec2 at(fmaxf(0, fminf(low.x, display.x - whole.x)),
-              (is_bar ? window->Pos.y + window->Size.y : ImGui::GetItemRectMax().y) + gap);
-    at.y = at.y + whole.y > display.y ? fmaxf(0, low.y - gap - whole.y) : at.y;
-    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowPos(
+        place_tooltip(ImVec2(extent.x + 2 * pad.x, extent.y + 2 * pad.y), room));
     ImGui::SetNextWindowBgAlpha(1);
     ImGui::BeginTooltip();
-    ImVec2 corner = ImGui::GetCursorScreenPos();
-    put_text(corner, width, TEXT, text);
+    put_text(ImGui::GetCursorScreenPos(), width, TEXT, text);
     ImGui::Dummy(extent);
     ImGui::EndTooltip();
 }
@@ -177,19 +245,19 @@ void gui_paragraph(const char *text, GuiColor color, int lines) {
     ImGui::Dummy(size);
 }
 
-float gui_message_height(const char *text) {
-    return text_extent(text, message_width()).y + 2 * ImGui::GetStyle().WindowPadding.y;
+GuiPoint gui_message_size(const char *text) {
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding, size = text_extent(text, message_width());
+    return GuiPoint{size.x + 2 * pad.x + 1, size.y + 2 * pad.y};
 }
 
 void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side) {
-    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
-    ImVec2 size = text_extent(text, message_width());
-    ImVec2 whole(size.x + 2 * pad.x + 1, size.y + 2 * pad.y);
+    const GuiPoint size = gui_message_size(text);
+    const ImVec2 whole(size.x, size.y);
     ImVec2 corner(point.x - whole.x / 2, point.y - (side == GUI_ABOVE ? whole.y : 0));
     begin_window(id, corner, whole, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
     // The inspector, which is clicked, would lie over it.
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-    put_text(ImGui::GetCursorScreenPos(), size.x + 1, TEXT, text);
+    put_text(ImGui::GetCursorScreenPos(), message_width(), TEXT, text);
     ImGui::End();
 }
 

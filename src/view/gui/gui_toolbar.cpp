@@ -7,12 +7,12 @@
 namespace {
 
 /** Width of a slider, in heights of letters. */
-constexpr float SLIDER_WIDTH = 7;
+constexpr float SLIDER_WIDTH = 6;
 /** Gap between two widgets of a bar, in heights of letters: with that of panels, the words of a
  *  French bar would need a fourth row. */
 constexpr float BAR_GAP = 0.2F;
 /** Space beside the words of such a widget, in heights of letters. */
-constexpr float BAR_PADDING = 0.33F;
+constexpr float BAR_PADDING = 0.3F;
 /** Largest width of a menu, in heights of letters. */
 constexpr float MENU_WIDTH = 32;
 /** Opacity of the knob of a slider with a number on it, of 255. */
@@ -24,7 +24,7 @@ constexpr float TRIANGLE_SIZE = 0.18F;
 void draw_triangle() {
     const float size = TRIANGLE_SIZE * ImGui::GetFontSize();
     ImVec2 high = ImGui::GetItemRectMax();
-    float right = high.x - (ImGui::GetStyle().FramePadding.x / 2 - size); // In the padding.
+    float right = high.x - ImGui::GetStyle().FramePadding.x / 2;
     float middle = (ImGui::GetItemRectMin().y + high.y) / 2;
     ImGui::GetWindowDrawList()->AddTriangleFilled(
         ImVec2(right - 2 * size, middle - size / 2), ImVec2(right, middle - size / 2),
@@ -172,6 +172,7 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     for (int i = 0; i < count; i++) {
         width = fmaxf(width, button_width(names[i]));
     }
+    width += 2 * TRIANGLE_SIZE * ImGui::GetFontSize(); // The triangle lies beside the words.
     place_in_bar(width);
     ImGui::PushID(id);
     ImGui::SetNextItemWidth(width);
@@ -210,7 +211,7 @@ int gui_menu(const char *label, const char *tooltip, const char *const *entries,
 int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     int step = 0;
-    float width = ImGui::CalcTextSize(widest).x;
+    float width = fmaxf(ImGui::CalcTextSize(widest).x, ImGui::CalcTextSize(text).x);
     place_in_bar(button_width("−") + button_width("+") + width + 2 * gap);
     ImGui::PushID(id);
     ImGui::BeginGroup();

@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_words.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -26,6 +27,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(hud->row_texts[index], HUD_TEXT_SIZE, format, arguments);
     va_end(arguments);
+    language_localize_numbers(hud->row_texts[index], HUD_TEXT_SIZE);
     hud->rows[index] = (GuiRow){.text = hud->row_texts[index]};
     SDL_strlcpy(hud->rows[index].label, label, GUI_LABEL_SIZE);
     return &hud->rows[index];
@@ -33,7 +35,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
 
 /** Adds the offset strategy. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
-    const char *name = offset_strategy_names[trace->offset];
+    const char *name = scene_value_word("offset", offset_strategy_names[trace->offset]);
     if (trace->offset == OFFSET_FIXED) {
         hud_add_row(hud, gettext("offset"), "%s, ε = %.3g", name, trace->epsilon);
     } else {
@@ -175,7 +177,9 @@ static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
 
 void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
     title[0] = '\0';
-    title_add(title, "%s — %d×%d", content->name, content->width, content->height);
+    title_add(title, "%s", content->name);
+    const size_t name_length = strlen(title);
+    title_add(title, " — %d×%d", content->width, content->height);
     if (content->report) {
         add_report(title, content->report);
     }
@@ -191,6 +195,7 @@ void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
     if (content->light_count > 1) {
         title_add(title, " — light %zu of %zu", content->light + 1, content->light_count);
     }
+    language_localize_numbers(title + name_length, TITLE_SIZE - name_length);
     if (content->status_text[0] != '\0') {
         title_add(title, " — %s", content->status_text);
     }

@@ -90,7 +90,9 @@ static bool show_widget(const WidgetContext *context, const Parameter *row, doub
     bool is_changed;
     switch (row->type) {
     case PARAMETER_COLOR:
-        return gui_edit_color(name, numbers, row->maximum, tooltip);
+        return gui_edit_color(
+            name, numbers, row->maximum,
+            (const char *const[]){gettext("red"), gettext("green"), gettext("blue")}, tooltip);
     case PARAMETER_BOOLEAN:
         return gui_edit_check(name, numbers, tooltip);
     case PARAMETER_CHOICE:
@@ -136,7 +138,7 @@ static void show_field(const WidgetContext *context, const Parameter *row, int r
         size_t used = strlen(tooltip);
         snprintf(tooltip + used, sizeof tooltip - used, "\n%s",
                  gettext("☼: its brightness, the largest of red, green and blue; the square: its "
-                         "hue, by a click"));
+                         "hue, by a click, Space or Enter"));
     }
     if (show_widget(context, row, field.numbers, tooltip) && !content->is_read_only &&
         field.number > 0) {

@@ -23,6 +23,7 @@ static void append(char text[READOUT_SIZE], const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(text + used, READOUT_SIZE - used, format, arguments);
     va_end(arguments);
+    language_localize_numbers(text + used, READOUT_SIZE - used);
 }
 
 /** Appends what the ray through the middle of the pixel meets. */

@@ -4,6 +4,7 @@
  */
 #include "view/panels/settings_chart_panel.h"
 
+#include "base/language.h"
 #include "view/gui/gui.h"
 
 #include <libintl.h>
@@ -99,7 +100,9 @@ static void write_notes(const SettingsChartPanel *panel, char notes[2][NOTE_SIZE
         gettext("Time: of this picture. Error: of one of %d pixels, against %d samples in double."),
         ERROR_METER_PIXELS, ERROR_METER_SAMPLES);
     if (panel->meter.is_busy) {
-        snprintf(notes[1], NOTE_SIZE, gettext("Measuring %s"), panel->pending[0].point.name);
+        char name[SETTINGS_NAME_SIZE];
+        settings_name_translate(panel->pending[0].point.name, name);
+        snprintf(notes[1], NOTE_SIZE, gettext("Measuring %s"), name);
     } else if (panel->has_failed) {
         snprintf(notes[1], NOTE_SIZE, "%s", gettext("There is no memory to measure."));
     } else {
@@ -124,8 +127,11 @@ void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *
     settings_name_write(&viewport->settings, shown);
     for (size_t i = 0; i < panel->chart.count; i++) {
         const SettingsPoint *point = &panel->chart.points[i];
-        snprintf(rows[i], NOTE_SIZE, gettext("%s: %.4g ms, %.3g steps"), point->name,
-                 point->seconds * 1e3, point->error);
+        char name[SETTINGS_NAME_SIZE];
+        settings_name_translate(point->name, name);
+        snprintf(rows[i], NOTE_SIZE, gettext("%s: %.4g ms, %.3g steps"), name, point->seconds * 1e3,
+                 point->error);
+        language_localize_numbers(rows[i], NOTE_SIZE);
         points[i] = (GuiChartPoint){.name = rows[i],
                                     .x = point->seconds * 1e3,
                                     .y = point->error,

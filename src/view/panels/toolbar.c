@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_words.h"
 #include "view/panels/tooltip.h"
 
 #include <libintl.h>
@@ -95,12 +96,17 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
         [OFFSET_NONE] = gettext("none: rays start at the surface, acne is seen"),
         [OFFSET_FIXED] = gettext("fixed: rays start epsilon above the surface"),
         [OFFSET_BOUND] = gettext("bound: as far above it as rounding can reach")};
-    cyclic_choice(toolbar, content, "offset", offset_strategy_names, explained, OFFSET_BOUND + 1,
+    const char *names[OFFSET_BOUND + 1];
+    for (int i = 0; i <= OFFSET_BOUND; i++) {
+        names[i] = scene_value_word("offset", offset_strategy_names[i]);
+    }
+    cyclic_choice(toolbar, content, "offset", names, explained, OFFSET_BOUND + 1,
                   (int)trace->offset);
     char text[TOOLTIP_SIZE], label[LABEL_SIZE];
     const double shown = fmax(trace->epsilon, EPSILON_LOW);
     double epsilon = shown;
     snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
+    language_localize_numbers(label, sizeof label);
     if (gui_log_slider(
             "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label, trace->offset == OFFSET_FIXED,
             tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
@@ -111,15 +117,24 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
 
 /** The settings of a ray: offset, number type, depth. */
 static void ray_settings(Toolbar *toolbar, const ToolbarContent *content) {
-    static const char *const types[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
     const RenderSettings *settings = content->settings;
+    const char *types[NUMBER_TYPE_COUNT];
     char depth[LABEL_SIZE], deepest[LABEL_SIZE];
     offset_widgets(toolbar, content);
+    for (int i = 0; i < NUMBER_TYPE_COUNT; i++) {
+        types[i] = scene_value_word("number", number_type_names[i]);
+    }
     cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));
-    snprintf(depth, sizeof depth, gettext("%d bounces"), settings->trace.depth);
-    snprintf(deepest, sizeof deepest, gettext("%d bounces"), DEPTH_MAXIMUM);
+    snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
+    snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), KEY_DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
+}
+
+/** Writes a number of samples. */
+static void write_samples(int samples, char text[LABEL_SIZE]) {
+    snprintf(text, LABEL_SIZE, ngettext("%d sample", "%d samples", (unsigned long)samples),
+             samples);
 }
 
 /** The settings of a picture: samples and light. */
@@ -127,9 +142,8 @@ static void picture_settings(Toolbar *toolbar, const ToolbarContent *content) {
     const RenderSettings *settings = content->settings;
     const char *lights[LIGHTING_MODE_COUNT];
     char samples[LABEL_SIZE], most[LABEL_SIZE];
-    // Words that are short: the tooltips say depth and samples per pixel.
-    snprintf(samples, sizeof samples, gettext("%d rays"), settings->samples);
-    snprintf(most, sizeof most, gettext("%d rays"), KEY_SAMPLES_MAXIMUM);
+    write_samples(settings->samples, samples);
+    write_samples(KEY_SAMPLES_MAXIMUM, most);
     number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
     for (int i = 0; i < LIGHTING_MODE_COUNT; i++) {
         lights[i] = gettext(light_mode_name((LightingMode)i));

@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "base/pareto_front.h"
 #include "dioptre/scene.h"
+#include "dioptre/scene_words.h"
 #include "view/state/settings_override.h"
 
 #include <libintl.h>
@@ -20,15 +21,27 @@ static const double TIME_NOISE = 0.1;
 static const double EQUAL_ERROR_FACTOR = 1.02;
 
 void settings_name_write(const RenderSettings *settings, char name[SETTINGS_NAME_SIZE]) {
-    static const char *const types[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
     const TraceSettings *trace = &settings->trace;
     char offset[SETTINGS_NAME_SIZE / 2];
     snprintf(offset, sizeof offset, trace->offset == OFFSET_FIXED ? "%s %.2g" : "%s",
              offset_strategy_names[trace->offset], trace->epsilon);
     snprintf(name, SETTINGS_NAME_SIZE, "%s, %s, %d × %d%s%s",
-             types[number_type_of(settings->engine)], offset, trace->depth, settings->samples,
-             settings->method_set != METHODS_OWN ? ", " : "",
+             number_type_names[number_type_of(settings->engine)], offset, trace->depth,
+             settings->samples, settings->method_set != METHODS_OWN ? ", " : "",
              settings->method_set != METHODS_OWN ? method_set_words[settings->method_set] : "");
+}
+
+void settings_name_translate(const char *name, char text[SETTINGS_NAME_SIZE]) {
+    char type[SETTINGS_NAME_SIZE] = "", offset[SETTINGS_NAME_SIZE] = "";
+    int length = 0;
+    // 63: SETTINGS_NAME_SIZE without the final zero.
+    if (sscanf(name, "%63[^,], %63[a-z]%n", type, offset, &length) == 2) {
+        snprintf(text, SETTINGS_NAME_SIZE, "%s, %s%s", scene_value_word("number", type),
+                 scene_value_word("offset", offset), name + length);
+    } else {
+        snprintf(text, SETTINGS_NAME_SIZE, "%s", name);
+    }
+    language_localize_numbers(text, SETTINGS_NAME_SIZE);
 }
 
 /** @return The point of a name; NULL: none. */

@@ -30,6 +30,9 @@ typedef struct SettingsChart {
  */
 void settings_name_write(const RenderSettings *settings, char name[SETTINGS_NAME_SIZE]);
 
+/** Writes such a name, which is the same in all languages, as a reader has it. */
+void settings_name_translate(const char *name, char text[SETTINGS_NAME_SIZE]);
+
 /** @return Whether a setting has a point. */
 bool settings_chart_has(const SettingsChart *chart, const char *name);
 

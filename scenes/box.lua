@@ -58,4 +58,5 @@ quad {
 }
 
 -- en: A box of green walls with a mirroring ball and a mirroring cube.
+-- fr name: boîte
 -- fr: Une boîte aux murs verts, une boule et un cube réfléchissants.

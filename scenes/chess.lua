@@ -93,4 +93,5 @@ place("pawn",    3,  0, steel)
 place("pawn",   -2,  0, steel)
 
 -- en: A game of chess in a garden: glass plays against steel.
+-- fr name: échecs
 -- fr: Une partie d’échecs dans un jardin : le verre joue contre l’acier.

@@ -71,4 +71,5 @@ for i = 1, 400 do
 end
 
 -- en: A cow of 5856 triangles on a pasture, with calves and neighbours.
+-- fr name: vache
 -- fr: Une vache de 5856 triangles dans son pré, avec veaux et voisines.

@@ -16,4 +16,5 @@ sdf { distance.sphere { radius = 0.6 }:translate{-1.6, 0.6, -0.3}, material = ma
 sdf { distance.box { size = {1.1, 1.1, 1.1} }:translate{1.6, 0.55, -0.3}, material = material { color = "#e8c547" } }
 
 -- en: The frame of a cube, a sphere and a cube, by sphere tracing.
+-- fr name: armature de cube
 -- fr: L’armature d’un cube, une sphère et un cube, par progression pas à pas.

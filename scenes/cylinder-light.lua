@@ -47,4 +47,5 @@ cylinder_light { base = {2.15, 0.12, 0.2}, top = {2.15, 1.35, 0.2}, radius = 0.1
   falloff = "inverse_square" }
 
 -- en: Cylinders that glow: neon tubes and a standing lamp.
+-- fr name: tubes lumineux
 -- fr: Des cylindres qui éclairent : des néons et un lampadaire.

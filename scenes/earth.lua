@@ -20,4 +20,5 @@ sphere {   -- the moon, far too near
 }
 
 -- en: The earth and the moon before the Milky Way; Space turns the earth.
+-- fr name: Terre et Lune
 -- fr: La Terre et la Lune devant la Voie lactée ; Espace fait tourner la Terre.

@@ -16,4 +16,5 @@ local frame = distance.box_frame { size = {1, 1, 1}, edge = 0.12 }:rotate{20 + 4
 sdf { frame:repeat_every{2.5, 2.5, 2.5}, material = material { color = "#e0782a" } }
 
 -- en: Frames of cubes without end, which turn with the time.
+-- fr name: armatures sans fin
 -- fr: Des armatures de cubes à l’infini, qui tournent avec le temps.

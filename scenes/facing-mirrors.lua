@@ -53,4 +53,5 @@ box {
 }
 
 -- en: Two mirrors that face each other.
+-- fr name: miroirs face à face
 -- fr: Deux miroirs face à face.

@@ -27,4 +27,5 @@ cylinder {
 }
 
 -- en: A mesh of flat triangles.
+-- fr name: figure 12 : facettes
 -- fr: Un maillage de triangles, avec une normale par facette.

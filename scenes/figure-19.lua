@@ -22,4 +22,5 @@ sphere {   -- tilted as the earth is, and turned with the hours
 }
 
 -- en: A die and the earth, with textures.
+-- fr name: figure 19 : textures
 -- fr: Un dé et la Terre, avec des textures.

@@ -56,4 +56,5 @@ sphere { radius = 0.42, scale = {1.35, 1, 1}, rotate = {0, 25, 0}, translate = {
          material = material { color = {0.93, 0.82, 0.12}, specular = 0.2 } }
 
 -- en: A glass of water: three media that touch one another.
+-- fr name: verre d’eau
 -- fr: Un verre d’eau : trois milieux qui se touchent.

@@ -37,4 +37,5 @@ end
 sphere { center = {0, 1, 0}, radius = 1, material = material { transparency = 0.96, ior = ior, specular = 1, shininess = 400 } }
 
 -- en: A glass ball, which turns what is behind it upside down.
+-- fr name: sphère de verre
 -- fr: Une boule de verre, qui renverse ce qui est derrière elle.

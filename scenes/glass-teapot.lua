@@ -18,4 +18,5 @@ mesh {
 }
 
 -- en: A teapot of glass on a polished table in a garden.
+-- fr name: théière de verre
 -- fr: Une théière de verre sur une table polie dans un jardin.

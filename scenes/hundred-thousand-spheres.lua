@@ -46,4 +46,5 @@ disk {
 sphere { center = {0, 9, 0}, radius = 4, material = material { color = 0.02, reflectivity = 0.92 } }
 
 -- en: A hundred thousand spheres: a drop has fallen into a pond of pearls.
+-- fr name: cent mille sphères
 -- fr: Cent mille sphères : une goutte est tombée dans un étang de perles.

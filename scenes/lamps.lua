@@ -26,4 +26,5 @@ cylinder { base = {0.75, 0, -0.5}, top = {0.75, 1.1, -0.5}, radius = 0.32, mater
 box { min = {-1.5, 0, 1.0}, max = {-1.0, 0.5, 1.5}, material = plaster }
 
 -- en: Three glowing balls in a room with a mirror.
+-- fr name: boules lumineuses
 -- fr: Trois boules lumineuses dans une pièce avec un miroir.

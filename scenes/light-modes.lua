@@ -30,4 +30,5 @@ for i, paint in ipairs(modes) do
 end
 
 -- en: No light, light and ambient light, light alone.
+-- fr name: éclairages
 -- fr: Sans lumière, avec lampe et lumière ambiante, avec la lampe seule.

@@ -11,4 +11,5 @@ sdf { distance.mandelbulb { power = 8, iterations = 8 }:rotate{20, 30 * t % 360,
       material = material { color = "#e0a070" } }
 
 -- en: A Mandelbulb: a fractal in space, by sphere tracing.
+-- fr name: Mandelbulb
 -- fr: Un Mandelbulb : une fractale dans l’espace, par progression pas à pas.

@@ -25,4 +25,5 @@ sdf { distance.intersection(drop:scale(1.3), distance.box { size = {1, 1, 1} }):
       material = material { color = {0.1, 0.1, 0.12}, reflectivity = 0.8 } }
 
 -- en: Distance functions that blend into one another, as mirror and glass.
+-- fr name: fusion
 -- fr: Des fonctions de distance qui fondent l’une dans l’autre, en miroir et en verre.

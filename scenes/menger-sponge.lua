@@ -13,4 +13,5 @@ sdf { distance.menger { size = 1, iterations = steps }:translate{0, 0.5, 0},
       material = material { color = "#e8c98a" } }
 
 -- en: A Menger sponge; the time takes the steps, from 0 to 6.
+-- fr name: éponge de Menger
 -- fr: Une éponge de Menger ; le temps fait avancer les étapes, de 0 à 6.

@@ -30,4 +30,5 @@ end
 cylinder { base = {0, 0, 0}, top = {0, 0.42, 0}, radius = 0.14, material = material { color = "#f4f0e6", specular = 0.4 } }
 
 -- en: Three mirrors in a triangle make a few balls a field without end.
+-- fr name: miroirs dans des miroirs
 -- fr: Trois miroirs en triangle changent quelques boules en un champ sans fin.

@@ -41,4 +41,5 @@ sphere { center = {earth[1] + moon[1], earth[2] + moon[2], earth[3] + moon[3]}, 
 plane { point = {0, -1.4, 0}, material = material { color = {0.02, 0.02, 0.04}, reflectivity = 0.35 } }
 
 -- en: A sun, planets that keep Kepler's third law, and a moon: Space lets them move.
+-- fr name: orbites
 -- fr: Un soleil, des planètes qui suivent la troisième loi de Kepler, une lune : Espace les fait tourner.

@@ -53,4 +53,5 @@ sdf { function(x, y, z)
 sdf { function(x, y, z) return ball((x + 0.5) % 1 - 0.5, y - 0.3, z + 3, 0.3) end, material = material { color = 0.8 } }
 
 -- en: Surfaces from distance functions that the scene writes itself.
+-- fr name: distances sur mesure
 -- fr: Des surfaces données par des fonctions de distance écrites dans la scène.

@@ -24,4 +24,5 @@ box {   -- the mirror
 }
 
 -- en: A painted cow before a mirror in a park.
+-- fr name: vache peinte
 -- fr: Une vache peinte devant un miroir dans un parc.

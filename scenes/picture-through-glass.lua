@@ -26,4 +26,5 @@ sphere { center = {0.25, 0.62, 0.5}, radius = 0.6, material = glass }
 box { min = {-0.45, -0.1, -0.3}, max = {0.45, 1.6, 0.3}, rotate = {0, 14, 0}, translate = {1.55, 0, -0.6}, material = glass }
 
 -- en: A picture seen through a lens, a ball and a block of glass.
+-- fr name: tableau à travers le verre
 -- fr: Un tableau vu à travers une lentille, une boule et un bloc de verre.

@@ -54,4 +54,5 @@ for i = 1, 24 do
 end
 
 -- en: A pond at sunset: balls that float, half under water.
+-- fr name: étang
 -- fr: Un étang au coucher du soleil : des boules flottent à moitié sous l’eau.

@@ -46,4 +46,5 @@ sphere { center = {-0.2, 0.32, 0.75}, radius = 0.32, material = blue }
 sphere { center = {1.45, 0.26, 0.65}, radius = 0.26, material = gold }
 
 -- en: Rectangles that glow: a gallery at night.
+-- fr name: rectangles lumineux
 -- fr: Des rectangles qui éclairent : une galerie la nuit.

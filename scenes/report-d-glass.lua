@@ -27,4 +27,5 @@ end
 cylinder { base = {2.35, 0.003, -0.3}, top = {2.35, 1.9, -0.3}, radius = 0.5, material = clear(1.5) }
 
 -- en: Balls of water, glass and diamond, and the pictures behind them.
+-- fr name: rapport D : verre
 -- fr: Des boules d’eau, de verre et de diamant, et les images derrière elles.

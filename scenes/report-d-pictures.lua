@@ -31,4 +31,5 @@ cylinder {
 }
 
 -- en: Pictures on a rectangle, on the floor, on a sphere and in the sky.
+-- fr name: rapport D : images
 -- fr: Des images sur un rectangle, sur le sol, sur une sphère et dans le ciel.

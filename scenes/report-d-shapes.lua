@@ -79,4 +79,5 @@ for i, tint in ipairs { "#f4ede0", "#e9d3b4", "#cfa98a" } do
 end
 
 -- en: A disk, a cylinder, a rectangle, a triangle and a floor.
+-- fr name: rapport D : formes
 -- fr: Un disque, un cylindre, un rectangle, un triangle et un sol.

@@ -35,4 +35,5 @@ box { min = {-0.5, 0, -0.4}, max = {0.5, 0.12, 0.4}, rotate = {0, 24, 0}, transl
 box { min = {-0.42, 0.12, -0.34}, max = {0.42, 0.22, 0.34}, rotate = {0, 12, 0}, translate = {-1.3, 0, 1.25}, material = matt({0.16, 0.28, 0.22}) }
 
 -- en: A still life by the light of one paper lantern: soft shadows.
+-- fr name: nature morte
 -- fr: Une nature morte à la lumière d’un lampion : des ombres douces.

@@ -29,4 +29,5 @@ box { min = {-1.1, 0, -0.5}, max = {1.1, 0.55, 0.5}, material = stone, rotate = 
 sphere { center = {2.1, 0.42, 2.2}, radius = 0.42, material = stone }
 
 -- en: Standing stones in the last light of a day: the sun and its sky.
+-- fr name: soleil
 -- fr: Des pierres levées aux dernières lueurs du jour : le soleil et son ciel.

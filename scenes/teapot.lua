@@ -55,4 +55,5 @@ lump( 5, {0.88, 0.4, 3.28})
 lump(70, {1.75, 0.0, 3.90})
 
 -- en: The Utah teapot, the best known model of computer graphics.
+-- fr name: théière
 -- fr: La théière de l’Utah, le modèle le plus connu de l’image de synthèse.

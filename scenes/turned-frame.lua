@@ -13,4 +13,5 @@ local frame = distance.box_frame { size = {1.2, 1.2, 1.2}, edge = 0.14 }
 sdf { frame:rotate{35, 25, 45}:translate{0, 0.95, 0}, material = material { color = "#e0582a" } }
 
 -- en: The frame of a cube, turned about all three axes.
+-- fr name: armature tournée
 -- fr: L’armature d’un cube, tournée autour des trois axes.

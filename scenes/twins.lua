@@ -22,4 +22,5 @@ sdf { distance.sphere { radius = 0.5 }:translate{1.4, 0.5, 0.7}, material = mirr
 sphere { center = {1.4, 0.5, -0.9}, radius = 0.5, material = mirror }
 
 -- en: Each shape twice: solved by its equation, and marched.
+-- fr name: formes jumelles
 -- fr: Chaque forme deux fois : par son équation, et par progression pas à pas.

@@ -23,14 +23,14 @@ done
 msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
 grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*s'|« | »" "$work/french" >"$work/out"
 empty "$work/out" 'French signs have their no-break space'
-{ grep "'" "$work/french"; grep -nE "\\bfr = \"[^\"]*'|^-- fr: .*'" scenes/*.lua scenes/lessons/*.lua; } >"$work/out"
+{ grep "'" "$work/french"; grep -nE "\\bfr = \"[^\"]*'|^-- fr( name)?: .*'" scenes/*.lua scenes/lessons/*.lua; } >"$work/out"
 empty "$work/out" "French apostrophes are typographic: ’"
 for scene in scenes/*.lua scenes/lessons/*.lua; do
-    grep -q '^lesson {' "$scene" || for language in en fr; do
+    grep -q '^lesson {' "$scene" || for language in en fr 'fr name'; do
         grep -q "^-- $language: " "$scene" || echo "$scene $language"
     done
 done >"$work/out"
-empty "$work/out" 'scenes are described in both languages'
+empty "$work/out" 'scenes are described in both languages, and have a French name'
 
 # --- help --------------------------------------------------------------------------------------------
 for command in '' view render animate probe info compare bench needs chart lab; do

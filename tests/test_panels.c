@@ -74,6 +74,10 @@ static void check_search(Browser *browser) {
     assert_int_equal(found_with(browser, "glass  sphere"), 0);
     if (language_is_french()) {
         assert_true(found_with(browser, "verite") + found_with(browser, "lumiere") > 0);
+        // By the French name, and by that of the file.
+        assert_int_equal(found_with(browser, "sphere de verre"), 1);
+        assert_int_equal(found_with(browser, "glass sphere"), 1);
+        assert_int_equal(found_with(browser, "figure 7 : couleurs"), 1);
         // With the signs of a keyboard, where the title has those of print.
         assert_int_equal(found_with(browser, "d'echecs dans un jardin : le"), 1);
         assert_int_equal(found_with(browser, "d’échecs"), 1);

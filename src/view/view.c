@@ -8,6 +8,7 @@
 #include "dioptre/view.h"
 
 #include "base/json.h"
+#include "base/language.h"
 #include "view/app.h"
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
@@ -110,7 +111,7 @@ static void update_title(App *app, double now) {
     }
     // Times and rays of other settings would be read as those of the new ones.
     bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
-    TitleContent content = {.name = app->source.name,
+    TitleContent content = {.name = app->source.labels[language_is_french()],
                             .width = viewport->width,
                             .height = viewport->height,
                             .report = has_report ? &viewport->report : NULL,
@@ -205,7 +206,8 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
     signal_thread_start(signal_thread, app->first_event + EVENT_SIGNAL);
     current_scene_begin(app);
     if (!view_state_init(&app->home_view, app->scene, error) ||
-        !window_open(&app->window, app->scene, &settings->render, app->source.name,
+        !window_open(&app->window, app->scene, &settings->render,
+                     app->source.labels[language_is_french()],
                      app->first_event + EVENT_PASS_FINISHED, error)) {
         return error->status;
     }

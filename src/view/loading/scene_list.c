@@ -81,6 +81,8 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
         }
         scene_name_from_path(scene->path, scene->name, sizeof scene->name);
         scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
+        SDL_strlcpy(scene->label, scene->name, sizeof scene->label);
+        scene_title_read_name(scene->path, language_is_french(), scene->label, sizeof scene->label);
         list->count++;
     } else {
         free(scene->path);

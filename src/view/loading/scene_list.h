@@ -23,13 +23,14 @@ enum { SCENE_ENTRY_NAME_SIZE = 64 };
 
 /** A scene or a lesson of the list. */
 typedef struct SceneEntry {
-    char *path;                       /**< Its file; owned. */
-    char name[SCENE_ENTRY_NAME_SIZE]; /**< Its name. */
-    char title[SCENE_TITLE_SIZE];     /**< Its title, see #scene_title_read, or its error. */
-    bool is_lesson;                   /**< Whether it is a lesson. */
-    bool is_loaded;                   /**< Whether it was drawn or has an error. */
-    bool is_in_sight;                 /**< Whether it is on screen: those are drawn first. */
-    struct timespec modified;         /**< When its file was last modified. */
+    char *path;                        /**< Its file; owned. */
+    char name[SCENE_ENTRY_NAME_SIZE];  /**< Its name: that of the file. */
+    char label[SCENE_ENTRY_NAME_SIZE]; /**< Its name for readers. */
+    char title[SCENE_TITLE_SIZE];      /**< Its title, see #scene_title_read, or its error. */
+    bool is_lesson;                    /**< Whether it is a lesson. */
+    bool is_loaded;                    /**< Whether it was drawn or has an error. */
+    bool is_in_sight;                  /**< Whether it is on screen: those are drawn first. */
+    struct timespec modified;          /**< When its file was last modified. */
     Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 

@@ -4,13 +4,18 @@
  */
 #include "view/loading/scene_title.h"
 
+#include "base/regular_file.h"
+
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /** Bytes of a line that is read at once; the rest of a longer one counts as a line of its own. */
 enum { LINE_SIZE = 1024 };
 /** Lines of a file in which a lesson or its title is looked for. */
 enum { LINES_MAXIMUM = 200 };
+/** Bytes of a file up to which its name is looked for: a window that opens waits for it. */
+enum { NAMED_FILE_MAXIMUM = 1 << 20 };
 
 /** @return Whether a text begins with another. */
 static bool begins_with(const char *text, const char *start) {
@@ -88,6 +93,34 @@ void scene_title_read(const char *path, bool is_lesson, bool is_french,
         read_lesson_title(file, is_french ? "fr =" : "en =", title);
     } else if (file) {
         read_scene_title(file, is_french ? "-- fr: " : "-- en: ", title);
+    }
+    if (file) {
+        fclose(file);
+    }
+}
+
+/** @return A file for reading; NULL: it is none, or too large to be looked through. */
+static FILE *open_moderate_file(const char *path) {
+    Error error = {0};
+    struct stat info;
+    int file = regular_file_open(path, &info, &error);
+    FILE *stream = file >= 0 && info.st_size <= NAMED_FILE_MAXIMUM ? fdopen(file, "r") : NULL;
+    if (file >= 0 && !stream) {
+        close(file);
+    }
+    return stream;
+}
+
+void scene_title_read_name(const char *path, bool is_french, char *name, size_t size) {
+    const char *mark = is_french ? "-- fr name: " : "-- en name: ";
+    char line[LINE_SIZE];
+    FILE *file = open_moderate_file(path);
+    bool is_found = false;
+    while (file && !is_found && read_line(file, line)) {
+        is_found = begins_with(line, mark);
+    }
+    if (is_found) {
+        snprintf(name, size, "%s", line + strlen(mark));
     }
     if (file) {
         fclose(file);

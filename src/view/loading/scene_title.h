@@ -22,4 +22,13 @@ enum { SCENE_TITLE_SIZE = 256 };
 void scene_title_read(const char *path, bool is_lesson, bool is_french,
                       char title[SCENE_TITLE_SIZE]);
 
+/**
+ * Reads the name of a scene for readers: its line `-- fr name: ...` or `-- en name: ...`.
+ * @param path       The file; only a regular one of moderate size is read.
+ * @param is_french  Whether French is wanted.
+ * @param[out] name  The name, cut to its size; unchanged where the file has none.
+ * @param size       Bytes of the name with the final zero.
+ */
+void scene_title_read_name(const char *path, bool is_french, char *name, size_t size);
+
 #endif

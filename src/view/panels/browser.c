@@ -108,7 +108,8 @@ void browser_order(const Browser *browser, BrowserOrder *order) {
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < browser->list.count; i++) {
             const SceneEntry *scene = &browser->list.scenes[i];
-            bool is_found = holds(scene->name, words) || holds(scene->title, words);
+            bool is_found = holds(scene->name, words) || holds(scene->label, words) ||
+                            holds(scene->title, words);
             if (is_found && scene->is_lesson == (pass == 0)) {
                 order->indices[order->count++] = i;
             }

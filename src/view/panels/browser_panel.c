@@ -80,7 +80,7 @@ static void show_footer(const Browser *browser, const BrowserOrder *order, const
 
 /** Writes the name of a scene with spaces, where it can be broken into lines. */
 static void write_name(const SceneEntry *scene, char name[SCENE_ENTRY_NAME_SIZE]) {
-    SDL_strlcpy(name, scene->name, SCENE_ENTRY_NAME_SIZE);
+    SDL_strlcpy(name, scene->label, SCENE_ENTRY_NAME_SIZE);
     for (char *c = name; *c; c++) {
         *c = *c == '-' ? ' ' : *c;
     }

@@ -168,10 +168,10 @@ within is_lower "$tall" && ok 'a click on a button while a list is open does wha
 xdotool key F2
 within is_tall
 [ "$(height)" = "$tall" ] && ok 'the window is as high again as it was' || fail "the window is $(height) high, not $tall"
-xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
-xdotool click 1 && settled && xdotool click 1
-# After a click a button says no more what it does, until the mouse comes again.
-xdotool mousemove --window "$window" 400 500 mousemove --window "$window" 220 24
+# Compared with the mouse on the picture: over the bar a tooltip comes and goes by the clock.
+xdotool mousemove --window "$window" 400 500 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
+xdotool mousemove --window "$window" 220 24 click 1 && settled && xdotool click 1
+xdotool mousemove --window "$window" 400 500
 restored closed 'a click on the list itself closes it'
 # The last entry of the menu ends the program; it asks first while a lesson is recorded.
 xdotool key r

@@ -161,16 +161,28 @@ expect_shown 'finished — number type: double \(f64' 'a click on another list o
 xdotool mousemove --window "$window" 220 24 click 1
 settled
 xdotool mousemove --window "$window" 24 24 click 1
-within is_lower "$tall" && ok 'a click on a button while a list is open does what the button does' ||
+settled
+xdotool mousemove --window "$window" 60 66 click 1
+within is_lower "$tall" && ok 'a click on a button while a list is open does what it does: a menu, which hides the bar' ||
     fail "the window is $(height) high"
 xdotool key F2
 within is_tall
-xdotool mousemove --window "$window" 220 24 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
-xdotool click 1 && settled && xdotool click 1
-# After a click a button says no more what it does, until the mouse comes again.
-xdotool mousemove --window "$window" 400 500 mousemove --window "$window" 220 24
+[ "$(height)" = "$tall" ] && ok 'the window is as high again as it was' || fail "the window is $(height) high, not $tall"
+# Compared with the mouse on the picture: over the bar a tooltip comes and goes by the clock.
+xdotool mousemove --window "$window" 400 500 && quiet && settled && cp "$work/a.ppm" "$work/closed.ppm"
+xdotool mousemove --window "$window" 220 24 click 1 && settled && xdotool click 1
+xdotool mousemove --window "$window" 400 500
 restored closed 'a click on the list itself closes it'
-leave
+# The last entry of the menu ends the program; it asks first while a lesson is recorded.
+xdotool key r
+shown 'recording'
+for time in first second; do
+    xdotool mousemove --window "$window" 24 24 click 1
+    settled
+    xdotool mousemove --window "$window" 60 290 click 1
+    [ $time = first ] && expect_shown 'leave again to end it' 'the menu asks before it ends the program'
+done
+closed 'then it ends it' 0
 
 # --- the bar by keys ---------------------------------------------------------------------------------
 open "$box" --samples 1

@@ -353,6 +353,34 @@ static void test_moves(void **state) {
     double view = app->scene->camera.fov;
     app_zoom(app, -2);
     assert_true(app->scene->camera.fov > view);
+    app_zoom(app, -100);
+    assert_true(app->scene->camera.fov == 100); // As wide as things keep their shapes.
+    app->scene->camera.fov = 120;
+    app_zoom(app, -1);
+    assert_true(app->scene->camera.fov == 120); // The scene's own is wider.
+}
+
+/** A change that was taken back can be done again after the camera has moved; what was moved is
+ *  taken back before what was changed earlier. */
+static void test_redo_after_move(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const double fov = app->scene->camera.fov;
+    const int sphere = scene_object_keyword_find("sphere");
+    const SceneOverride wider = {sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    edits_set(app, &wider, false);
+    assert_true(settle());
+    run_and_settle("undo");
+    app_zoom(app, 1);
+    assert_true(settle());
+    run_and_settle("redo");
+    assert_int_equal(edit_history_in_force(&app->edits), 1);
+    assert_true(app->scene->camera.fov < fov);
+    run_and_settle("undo");
+    assert_int_equal(edit_history_in_force(&app->edits), 0);
+    assert_true(app->scene->camera.fov < fov);
+    run_and_settle("undo");
+    assert_true(app->scene->camera.fov == fov);
 }
 
 /** What lies over the picture opens and closes; Esc closes the topmost. */
@@ -477,6 +505,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_chart, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_rays, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),

@@ -84,6 +84,43 @@ static void check_search(Browser *browser) {
     }
 }
 
+/** Tab goes from the lessons to the scenes and back. */
+static void check_parts(Browser *browser) {
+    BrowserOrder order;
+    browser->filter[0] = '\0';
+    browser_order(browser, &order);
+    browser->selected = order.indices[2];
+    browser_key(browser, SDLK_TAB);
+    assert_int_equal(browser->selected, order.indices[order.lessons]);
+    browser_key(browser, SDLK_TAB);
+    assert_int_equal(browser->selected, order.indices[0]);
+    SDL_strlcpy(browser->filter, "menger", sizeof browser->filter); // No lesson has the word.
+    browser_order(browser, &order);
+    assert_true(order.lessons == 0 && order.count > 0);
+    browser_key(browser, SDLK_TAB);
+    assert_int_equal(browser->selected, order.indices[0]);
+}
+
+/** Closed and opened again, the list has the thumbnails that it had, but of files that were
+ *  modified. Here no new one can be drawn. */
+static void check_kept(Browser *browser, const ViewSettings *settings) {
+    const size_t count = browser->list.count;
+    uint8_t *first = browser->list.scenes[0].picture.pixels;
+    browser->list.scenes[1].modified.tv_nsec ^= 1;
+    browser_close(browser);
+    assert_true(browser_open(browser, settings, 0, "scenes/box.lua"));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    assert_int_equal(browser->list.count, count);
+    assert_ptr_equal(browser->list.scenes[0].picture.pixels, first);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(browser->list.scenes[i].is_loaded);
+        assert_int_equal(browser->list.scenes[i].picture.pixels != NULL, i != 1);
+    }
+    browser_close(browser);
+}
+
 /** Checks the list of scenes. */
 static void check_list(Fixture *fixture) {
     static const ViewSettings settings = {.preview = load_nothing};
@@ -102,7 +139,8 @@ static void check_list(Fixture *fixture) {
     browser_type(browser, "GLA");
     check_frame(fixture, "list with words", 3);
     check_search(browser);
-    browser_close(browser);
+    check_parts(browser);
+    check_kept(browser, &settings);
 }
 
 /** The help. */

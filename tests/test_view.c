@@ -257,7 +257,7 @@ static void test_help_keys(void **state) {
     assert_true(help_handle_key(&help, SDLK_RETURN));
     assert_string_equal(help.requested->name, "light down");
     assert_true(help_handle_key(&help, SDLK_END) && help_handle_key(&help, SDLK_RETURN));
-    assert_string_equal(help.requested->name, "leave");
+    assert_string_equal(help.requested->name, "quit");
     assert_true(help_handle_key(&help, SDLK_HOME) && help_handle_key(&help, SDLK_UP));
     assert_int_equal(help.selected.row, 1);
     assert_false(help_handle_key(&help, SDLK_v));
@@ -452,7 +452,7 @@ static void test_tooltips(void **state) {
             assert_false(earlier && strcmp(earlier, sentence) == 0);
         }
     }
-    assert_int_equal(count, 30);
+    assert_int_equal(count, 37);
     assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");

@@ -15,6 +15,9 @@
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
+/** Widest field of view by the wheel, degrees: in a wider one things at the edge are drawn so large,
+ *  and those in the middle so small, that a turned wheel seems to have lost the scene. */
+static const double ZOOM_FOV_MAXIMUM = 100;
 /** Movement of the second camera per notch of the wheel, in seconds of a held key. */
 static const double FORWARD_PER_NOTCH = 0.125;
 
@@ -120,7 +123,6 @@ bool app_is_time_settled(const App *app) {
 static void note_move(App *app, size_t subject) {
     const ViewStep step = {.edits = edit_history_in_force(&app->edits), .subject = subject};
     view_history_note(&app->moves, &app->home_view, app->scene, &step, app_clock(app));
-    edit_history_forget_undone(&app->edits);
 }
 
 void app_on_view_changed(App *app) {
@@ -204,7 +206,10 @@ void app_zoom(App *app, double notches) {
         return;
     }
     note_move(app, VIEW_SUBJECT_ALL);
-    scene_camera_zoom(&app->scene->camera, pow(ZOOM_PER_NOTCH, notches));
+    SceneCamera *camera = &app->scene->camera;
+    const double widest = fmax(camera->fov, ZOOM_FOV_MAXIMUM);
+    scene_camera_zoom(camera, pow(ZOOM_PER_NOTCH, notches));
+    camera->fov = fmin(camera->fov, widest);
     app->home_view.is_camera_moved = true;
     app_on_view_changed(app);
 }

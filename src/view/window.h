@@ -73,7 +73,10 @@ typedef struct Window {
     Toolbar toolbar;          /**< The bar at the upper edge. */
     int fitted_height;        /**< Height of bar and lesson panel that the window has
                                    room for, pixels. */
-    LightMarks light_marks;   /**< The marks of the lights. */
+    SDL_Point size_before_toggle; /**< Size of the window before the toolbar was last shown or
+                                       hidden, screen units. */
+    SDL_Point size_after_toggle;  /**< The same, after that. */
+    LightMarks light_marks;       /**< The marks of the lights. */
     ObjectInspector object_inspector;  /**< The selected object. */
     Magnifier magnifier;               /**< Some pixels as squares. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */

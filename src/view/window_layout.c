@@ -147,6 +147,8 @@ float window_text_size(const Window *window) {
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
     window_size_below_toolbar(window, &width, &height);
+    // The bar of the rays has the letters of the usual one: else each would change the other.
+    height += (int)(window->toolbar.height - window->toolbar.usual_height);
     const float rows = window_area(window).h < window_area_below_toolbar(window).h
                            ? ROWS_ABOVE_PANEL
                            : ROWS_BELOW_TOOLBAR;
@@ -244,16 +246,42 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     }
 }
 
+/** @return Size of the window, screen units. */
+static SDL_Point size_in_units(const Window *window) {
+    SDL_Point size;
+    SDL_GetWindowSize(window->sdl.window, &size.x, &size.y);
+    return size;
+}
+
+/** Ends a change of the toolbar. A window that nobody resized since the last one gets the size back
+ *  that it had before that: fitted to letters of whole units, it would be off by some pixels.
+ *  @param before Size before this change. */
+static void end_toggle(Window *window, SDL_Point before) {
+    SDL_Point last = window->size_after_toggle, first = window->size_before_toggle;
+    if (before.x == last.x && before.y == last.y) {
+        SDL_SetWindowSize(window->sdl.window, first.x, first.y);
+        layout_toolbar(window);
+        window_on_resize(window);
+    }
+    window->size_before_toggle = before;
+    window->size_after_toggle = size_in_units(window);
+}
+
 void window_toggle_toolbar(Window *window) {
-    if (!set_toolbar_folded(window, !window->toolbar.is_folded)) {
+    SDL_Point before = size_in_units(window);
+    if (set_toolbar_folded(window, !window->toolbar.is_folded)) {
+        end_toggle(window, before);
+    } else {
         window_set_toast(window, gettext("the window is too small for the toolbar"));
     }
 }
 
 void window_toggle_presentation(Window *window) {
+    SDL_Point before = size_in_units(window);
     window->is_presenting = !window->is_presenting;
     window->toolbar.is_folded = window->is_presenting;
     window_relayout_toolbar(window);
+    end_toggle(window, before);
     if (window->gui) {
         gui_set_ring(window->gui, window->is_presenting);
     }

@@ -95,7 +95,9 @@ static bool read_pixels(const Window *window, int x, int y, PixelReadout *readou
 /** Writes what the pixel shows that is named. @return Whether the readout is to be shown. */
 static bool write_readout(const Window *window, PixelReadout *readout, char text[READOUT_SIZE]) {
     PixelPosition pixel;
-    bool is_wanted = window->magnifier.is_on || !window->toolbar.is_folded;
+    // It would cover a part of what a question is about.
+    bool is_in_the_way = window->toolbar.is_folded || window->lesson_panel.is_asking;
+    bool is_wanted = window->magnifier.is_on || !is_in_the_way;
     if (!is_wanted || window->hint.text[0] != '\0' || !window_named_pixel(window, &pixel) ||
         !read_pixels(window, pixel.x, pixel.y, readout)) {
         return false;

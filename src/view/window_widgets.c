@@ -13,8 +13,9 @@ void window_set_state(Window *window, const WindowState *state) {
     window->state = *state;
 }
 
-/** Shows the bar. */
+/** Shows the bar: that of the rays, if they are shown, has another height. */
 static void show_toolbar(Window *window) {
+    const float height = window->toolbar.height;
     const WindowState *state = &window->state;
     RenderSettings settings = window_requested_settings(window);
     ToolbarContent content = {.help = &window->help,
@@ -22,7 +23,7 @@ static void show_toolbar(Window *window) {
                               .layer = window_active_viewport(window)->layer,
                               .split = window->split.mode,
                               .shows_settings = window->shows_settings,
-                              .shows_rays = window->ray_view.is_open,
+                              .rays = window->ray_view.is_open ? &window->ray_view : NULL,
                               .shows_chart = window->settings_chart.is_open,
                               .shows_magnifier = window->magnifier.is_on,
                               .is_animated = state->is_animated,
@@ -32,6 +33,10 @@ static void show_toolbar(Window *window) {
                               .can_undo = state->can_undo,
                               .can_redo = state->can_redo};
     toolbar_show(&window->toolbar, &content);
+    if (window->ray_view.is_open && height != window->toolbar.height) {
+        ray_view_on_room_changed(&window->ray_view);
+        gui_request_frames(window->gui);
+    }
 }
 
 /** Gives the mouse the shape of what it does: a hand over a light, arrows at the bar between two
@@ -112,7 +117,12 @@ static void show_rays(Window *window) {
         bool is_hovered = !gui_has_mouse() && SDL_GetMouseFocus() == window->sdl.window &&
                           window_ray_at(window, x, y, &hovered);
         window->ray_view.hovered = is_hovered ? hovered + 1 : 0;
-        ray_view_show_widgets(&window->ray_view, window->state.scene, &window->help, &area, scale);
+        ray_view_show_widgets(&window->ray_view, window->state.scene, &area, scale);
+        if (window->toolbar.is_folded || window->is_presenting) {
+            ray_view_show_own_row(&window->ray_view, &window->help, &area);
+        } else {
+            ray_view_set_buttons(&window->ray_view, 0);
+        }
     }
 }
 
@@ -144,11 +154,15 @@ void window_show_widgets(Window *window) {
     }
     SDL_GetWindowSize(window->sdl.window, &width, &height);
     gui_begin_frame(window->gui, window_text_size(window));
-    window->toolbar.height = 0;
     // The button of a folded bar would cover the words of a lesson or of rays.
     bool has_words = window->lesson_panel.lesson || window->ray_view.is_open;
     if (!window->is_presenting && !(window->toolbar.is_folded && has_words)) {
         show_toolbar(window);
+    } else {
+        window->toolbar.height = 0;
+    }
+    if (!window->ray_view.is_open || window->toolbar.height == 0) {
+        window->toolbar.usual_height = window->toolbar.height;
     }
     show_cursor(window);
     GuiRect area = window_area_below_button(window);

@@ -381,10 +381,11 @@ static const char *leaving_question(const App *app) {
         return N_("a lesson is recorded: leave again to end it");
     }
     bool is_changed = edit_history_in_force(&app->edits) > 0;
-    return is_changed ? N_("objects were changed: Esc again leaves dioptre") : NULL;
+    return is_changed ? N_("objects were changed: leave again to lose the changes") : NULL;
 }
 
-void command_leave_program(App *app) {
+/** See #action_quit. */
+static void leave_program(App *app) {
     double now = clock_now_seconds();
     const char *question = leaving_question(app);
     if (!question || now < app->exit.confirmation_end) {
@@ -429,6 +430,11 @@ void action_leave(App *app, int argument) {
     } else if (is_full) {
         action_toggle_full_screen(app, 0);
     } else {
-        command_leave_program(app);
+        leave_program(app);
     }
+}
+
+void action_quit(App *app, int argument) {
+    (void)argument;
+    leave_program(app);
 }

@@ -183,7 +183,8 @@ const Command command_table[] = {
     {"full screen", {KEY(F11)}, N_("screen"), PROGRAM, .help = N_("the whole screen, or a window"), .flags = COMMAND_WHILE_PLAYING, RUNS(action_toggle_full_screen, 0)},
     {"leave", {NAMED(ESCAPE, N_("Esc"))}, N_("leave"), PROGRAM, .help = N_("close what lies on top; at last leave"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_leave, 0)},
-    {NULL, {NO_KEY("Ctrl+Q")}, NULL, PROGRAM, .help = N_("leave dioptre")},
+    {"quit", {KEY(q)}, NULL, PROGRAM, .help = N_("leave dioptre"),
+     .flags = COMMAND_CTRL | COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_quit, 0)},
     {0},
 };
 // clang-format on

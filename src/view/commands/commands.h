@@ -27,8 +27,4 @@ void command_show_rays(App *app, double x, double y);
 /** Chooses one of the rays that are shown; the recorder is notified first. */
 void command_choose_ray(App *app, size_t ray);
 
-/** Ends the lesson that plays, or else the program; while a lesson is recorded or plays, only when
- *  it is asked a second time. */
-void command_leave_program(App *app);
-
 #endif

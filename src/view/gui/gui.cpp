@@ -419,6 +419,11 @@ bool gui_has_mouse() {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
+bool gui_mouse_has_moved() {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    return moved.x != 0 || moved.y != 0;
+}
+
 void gui_set_cursor(GuiCursor cursor) {
     static const ImGuiMouseCursor cursors[] = {ImGuiMouseCursor_Hand, ImGuiMouseCursor_ResizeAll,
                                                ImGuiMouseCursor_ResizeEW};

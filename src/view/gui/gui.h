@@ -205,6 +205,9 @@ typedef enum {
     GUI_CLICKED  /**< It has clicked on it. */
 } GuiMouse;
 
+/** @return Whether the mouse was moved since the last frame. */
+bool gui_mouse_has_moved(void);
+
 /** Draws a key of a keyboard. @param cap What is printed on it. @param color Its colour;
  *  #GUI_COLOR_FAINT: it does nothing. @param is_on Whether it is selected. */
 GuiMouse gui_key(const GuiRect *rect, const char *cap, GuiColor color, bool is_on);
@@ -253,6 +256,10 @@ bool gui_button(const char *label, const char *tooltip, bool is_on);
  */
 int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
                int selected, const char *tooltip);
+
+/** A button that opens a menu. @param entries What can be chosen. @return The index that the user
+ *  has chosen now; -1: none. */
+int gui_menu(const char *label, const char *tooltip, const char *const *entries, int count);
 
 /** A number with a button on each side. @param widest The widest text that keys give it, so that
  * the bar does not move. @return -1 or 1: the user wants less or more; else 0. */

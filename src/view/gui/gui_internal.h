@@ -139,6 +139,11 @@ void choose_first_widget(GuiKeyboard panel);
  *  Whether it is open: its entries follow, then ImGui::EndCombo. */
 bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags);
 
+/** Shows a button that opens a menu; one per window. @param is_below Whether it opens below the
+ *  button, else where there is room. @return Whether it is open: its entries follow, then
+ *  ImGui::EndPopup. */
+bool begin_menu(const char *label, const char *tooltip, bool is_below);
+
 /** Notes that a list is open below a widget. @param opener The widget. */
 void note_open_list(const ImRect &opener);
 

@@ -104,16 +104,7 @@ bool gui_step_button(const char *label, const char *tooltip, bool is_enabled, bo
 }
 
 bool gui_step_list_begin(const char *label, const char *tooltip) {
-    if (push_button(label, tooltip, false)) {
-        ImGui::OpenPopup("steps");
-    }
-    if (ImGui::IsPopupOpen("steps")) {
-        note_open_list(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
-    }
-    ImVec2 display = ImGui::GetIO().DisplaySize;
-    float width = fminf(CARD_WIDTH * ImGui::GetFontSize(), display.x);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y / 2));
-    return ImGui::BeginPopup("steps");
+    return begin_menu(label, tooltip, false);
 }
 
 bool gui_step_list_entry(size_t index, const char *text, bool is_present) {

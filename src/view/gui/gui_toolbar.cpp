@@ -13,6 +13,8 @@ constexpr float SLIDER_WIDTH = 6;
 constexpr float BAR_GAP = 0.2F;
 /** Space beside the words of such a widget, in heights of letters. */
 constexpr float BAR_PADDING = 0.3F;
+/** Largest width of a menu, in heights of letters. */
+constexpr float MENU_WIDTH = 32;
 /** Opacity of the knob of a slider with a number on it, of 255. */
 constexpr int KNOB_ALPHA = 120;
 /** Size of the triangle that tells a list from a button, in heights of letters. */
@@ -27,6 +29,13 @@ void draw_triangle() {
     ImGui::GetWindowDrawList()->AddTriangleFilled(
         ImVec2(right - 2 * size, middle - size / 2), ImVec2(right, middle - size / 2),
         ImVec2(right - size, middle + size / 2), PALETTE[GUI_COLOR_FAINT]);
+}
+
+/** Pushes a padding of whole pixels: else Dear ImGui makes a list too low by less than one, and
+ * lets it scroll. */
+void push_whole_padding() {
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad.x, roundf(pad.y)));
 }
 
 } // namespace
@@ -70,14 +79,37 @@ void choose_first_widget(GuiKeyboard panel) {
 }
 
 bool begin_list(const char *label, const char *shown, ImGuiComboFlags flags) {
-    const ImVec2 low = ImGui::GetCursorScreenPos(), pad = ImGui::GetStyle().WindowPadding;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::CalcItemWidth();
-    // Whole pixels: else Dear ImGui makes the list too low by less than one, and lets it scroll.
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad.x, roundf(pad.y)));
+    push_whole_padding();
     bool is_open = ImGui::BeginCombo(label, shown, flags);
     ImGui::PopStyleVar();
     if (is_open) {
         note_open_list(ImRect(low, ImVec2(low.x + width, low.y + ImGui::GetFrameHeight())));
+    }
+    return is_open;
+}
+
+bool begin_menu(const char *label, const char *tooltip, bool is_below) {
+    if (push_button(label, tooltip, false)) {
+        ImGui::OpenPopup("menu");
+    }
+    if (!ImGui::IsPopupOpen("menu")) {
+        return false;
+    }
+    const ImRect button(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    note_open_list(button);
+    if (is_below) {
+        ImGui::SetNextWindowPos(button.GetBL());
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = fminf(MENU_WIDTH * ImGui::GetFontSize(), display.x);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(width, display.y));
+    push_whole_padding();
+    bool is_open = ImGui::BeginPopup("menu");
+    ImGui::PopStyleVar();
+    if (is_open && ImGui::IsWindowAppearing()) {
+        gui_request_frames(current_gui()); // The menu finds its size.
     }
     return is_open;
 }
@@ -161,6 +193,18 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
         show_tooltip(tooltip);
     }
     ImGui::PopID();
+    return chosen;
+}
+
+int gui_menu(const char *label, const char *tooltip, const char *const *entries, int count) {
+    int chosen = -1;
+    place_in_bar(button_width(label));
+    if (begin_menu(label, tooltip, true)) {
+        for (int i = 0; i < count; i++) {
+            chosen = ImGui::Selectable(entries[i]) ? i : chosen;
+        }
+        ImGui::EndPopup();
+    }
     return chosen;
 }
 

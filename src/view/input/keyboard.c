@@ -77,9 +77,9 @@ static bool is_question_mark(SDL_Keysym key) {
     return key.sym == SDLK_QUESTION || (is_place && key.mod & KMOD_SHIFT);
 }
 
-/** Handles the keys that all programs have: ?, Ctrl and a letter, Alt and Enter. @param command The
- *  command of the key; NULL: none. @return Whether it is one of them: a letter with Ctrl is no
- *  command that has the letter alone. */
+/** Handles the keys that all programs have: ?, Alt and Enter, and Ctrl and a letter, which is no
+ *  command that has the letter alone. @param command The command of the key; NULL: none. @return
+ *  Whether it is one of them. */
 static bool handle_common_key(App *app, SDL_Keysym key, const Command *command) {
     bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL &&
                      !(command && command->flags & COMMAND_CTRL);
@@ -88,8 +88,6 @@ static bool handle_common_key(App *app, SDL_Keysym key, const Command *command) 
         name = "full screen";
     } else if (is_question_mark(key)) {
         name = "help";
-    } else if (is_letter && key.sym == SDLK_q) {
-        command_leave_program(app);
     }
     if (name) {
         command_issue(app, command_find(app->commands, name), input_event_time(SDL_GetTicks()));

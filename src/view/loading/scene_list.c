@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /** Folder of lessons, beside the scenes. */
@@ -45,6 +46,22 @@ static int is_scene_file(const struct dirent *entry) {
     return entry->d_name[0] != '.' && scene_format_of(entry->d_name) != SCENE_FORMAT_NONE;
 }
 
+/** Takes the thumbnail over that was drawn of a file before, unless the file was modified since.
+ *  @param[in,out] scene A new entry with path and time. */
+static void take_kept_picture(SceneList *list, SceneEntry *scene) {
+    for (size_t i = 0; i < list->kept_count; i++) {
+        SceneEntry *kept = &list->kept[i];
+        if (kept->picture.pixels && kept->modified.tv_sec == scene->modified.tv_sec &&
+            kept->modified.tv_nsec == scene->modified.tv_nsec &&
+            strcmp(kept->path, scene->path) == 0) {
+            scene->picture = kept->picture;
+            scene->is_loaded = true;
+            kept->picture = (Picture){0};
+            return;
+        }
+    }
+}
+
 /** Adds a scene or a lesson. @param[in,out] list Locked, with a free place. @param folder Empty, or
  *  with a slash at its end. @param wants_lesson Whether files other than lessons are left out, or
  *  lessons. */
@@ -57,6 +74,11 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
     }
     snprintf(scene->path, size, "%s%s", folder, file);
     if (lesson_file_is(scene->path) == wants_lesson) {
+        struct stat info;
+        if (stat(scene->path, &info) == 0) {
+            scene->modified = info.st_mtim;
+            take_kept_picture(list, scene);
+        }
         scene_name_from_path(scene->path, scene->name, sizeof scene->name);
         scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
         SDL_strlcpy(scene->label, scene->name, sizeof scene->label);
@@ -92,6 +114,17 @@ static void list_lessons_and_scenes(SceneList *list, const char *folder) {
     list_folder(list, folder, false);
 }
 
+/** Frees what was listed before. */
+static void free_kept(SceneList *list) {
+    for (size_t i = 0; i < list->kept_count; i++) {
+        picture_deinit(&list->kept[i].picture);
+        free(list->kept[i].path);
+    }
+    free(list->kept);
+    list->kept = NULL;
+    list->kept_count = 0;
+}
+
 /** Finds all scenes and lessons. */
 static void find_scenes(SceneList *list) {
     char installed[PATH_MAX + 1], scene_folder[PATH_MAX], installed_folder[PATH_MAX];
@@ -102,6 +135,7 @@ static void find_scenes(SceneList *list) {
         snprintf(installed, sizeof installed, "%.*s/", PATH_MAX - 1, installed_folder);
         list_lessons_and_scenes(list, installed);
     }
+    free_kept(list);
 }
 
 /** Draws a thumbnail. @param[out] error Error of the scene. */
@@ -184,13 +218,26 @@ static void *scene_list_main(void *context) {
     return NULL;
 }
 
+/** Ends the thread. */
+static void end_thread(SceneList *list) {
+    scene_list_request_stop(list);
+    pthread_join(list->thread, NULL);
+    pthread_mutex_destroy(&list->mutex);
+    list->is_started = false;
+}
+
 bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t event,
                       const char *path) {
     const char *slash = strrchr(path, '/');
-    *list = (SceneList){.settings = settings, .event = event};
+    if (list->is_started) {
+        end_thread(list);
+    }
+    *list = (SceneList){
+        .settings = settings, .event = event, .kept = list->scenes, .kept_count = list->count};
     snprintf(list->folder, sizeof list->folder, "%.*s", slash ? (int)(slash + 1 - path) : 0, path);
     list->scenes = calloc(SCENE_LIST_MAXIMUM, sizeof *list->scenes);
     if (!list->scenes) {
+        free_kept(list);
         return false;
     }
     pthread_mutex_init(&list->mutex, NULL);
@@ -199,6 +246,7 @@ bool scene_list_start(SceneList *list, const ViewSettings *settings, uint32_t ev
     if (!list->is_started) {
         pthread_mutex_destroy(&list->mutex);
         free(list->scenes);
+        free_kept(list);
         *list = (SceneList){0};
     }
     return list->is_started;
@@ -216,13 +264,9 @@ void scene_list_deinit(SceneList *list) {
     if (!list->is_started) {
         return;
     }
-    scene_list_request_stop(list);
-    pthread_join(list->thread, NULL);
-    for (size_t i = 0; i < list->count; i++) {
-        picture_deinit(&list->scenes[i].picture);
-        free(list->scenes[i].path);
-    }
-    pthread_mutex_destroy(&list->mutex);
-    free(list->scenes);
+    end_thread(list);
+    list->kept = list->scenes;
+    list->kept_count = list->count;
+    free_kept(list);
     *list = (SceneList){0};
 }

@@ -10,6 +10,7 @@
 
 #include <limits.h>
 #include <pthread.h>
+#include <time.h>
 
 /** Most scenes of a list. */
 enum { SCENE_LIST_MAXIMUM = 999 };
@@ -29,6 +30,7 @@ typedef struct SceneEntry {
     bool is_lesson;                    /**< Whether it is a lesson. */
     bool is_loaded;                    /**< Whether it was drawn or has an error. */
     bool is_in_sight;                  /**< Whether it is on screen: those are drawn first. */
+    struct timespec modified;          /**< When its file was last modified. */
     Picture picture; /**< Its thumbnail; empty: not drawn yet, or an error; owned. */
 } SceneEntry;
 
@@ -44,11 +46,14 @@ typedef struct SceneList {
     pthread_mutex_t mutex;        /**< Locks the members below. */
     SceneEntry *scenes;           /**< The scenes; owned. */
     size_t count;                 /**< Number of scenes. */
+    SceneEntry *kept; /**< What was listed before, until the scenes are found; owned; NULL: none. */
+    size_t kept_count; /**< Their number. */
 } SceneList;
 
 /**
- * Starts to fill a list.
- * @param[out] list  Empty, or freed by #scene_list_deinit.
+ * Starts to fill a list. A list that was filled before keeps the thumbnails of the files that were
+ * not modified since: also of those whose models or pictures were.
+ * @param[in,out] list  Empty, or one that is not busy.
  * @param event  SDL event, registered, to send when the list changes.
  * @param path  A scene file, whose folder is listed.
  * @return false if the thread cannot start.

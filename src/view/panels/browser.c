@@ -18,10 +18,9 @@ bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event
         return true;
     }
     browser_release_textures(browser);
-    scene_list_deinit(&browser->list);
     browser->is_open = scene_list_start(&browser->list, settings, event, path);
     browser->is_reopen_pending = browser->is_current_selected = browser->is_requested =
-        browser->is_close_requested = false;
+        browser->is_close_requested = browser->follows_mouse = false;
     SDL_strlcpy(browser->path, path, sizeof browser->path);
     browser->selected = 0;
     browser->filter[0] = '\0';
@@ -156,6 +155,7 @@ static void apply_filter(Browser *browser) {
 }
 
 void browser_type(Browser *browser, const char *text) {
+    browser->follows_mouse = false;
     if (strlen(browser->filter) + strlen(text) < sizeof browser->filter) {
         SDL_strlcat(browser->filter, text, sizeof browser->filter);
         apply_filter(browser);
@@ -206,9 +206,22 @@ static long position_below(const BrowserOrder *order, long position, long column
     return place < 0 ? position : SDL_min(place, count - 1);
 }
 
+void browser_go_to(Browser *browser, BrowserPart part) {
+    BrowserOrder order;
+    lock_and_order(browser, &order);
+    bool has_scenes = order.lessons < order.count;
+    select_position(browser, &order,
+                    part == BROWSER_SCENES && has_scenes ? (long)order.lessons : 0);
+}
+
+BrowserPart browser_part(const Browser *browser, const BrowserOrder *order) {
+    return selected_position(browser, order) < order->lessons ? BROWSER_LESSONS : BROWSER_SCENES;
+}
+
 BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
     BrowserOrder order;
     lock_and_order(browser, &order);
+    browser->follows_mouse = false;
     const long columns = SDL_max(1, browser->columns);
     const long current = (long)selected_position(browser, &order);
     const struct {
@@ -226,6 +239,10 @@ BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
         if (moves[i].key == key) {
             select_position(browser, &order, moves[i].position);
         }
+    }
+    if (key == SDLK_TAB) {
+        browser_go_to(browser, browser_part(browser, &order) == BROWSER_LESSONS ? BROWSER_SCENES
+                                                                                : BROWSER_LESSONS);
     }
     if (key == SDLK_BACKSPACE) {
         erase_character(browser);

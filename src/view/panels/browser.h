@@ -11,6 +11,12 @@
 /** Bytes of the words that are searched, with the final zero. */
 enum { BROWSER_FILTER_SIZE = 64 };
 
+/** A part of the list. */
+typedef enum {
+    BROWSER_LESSONS, /**< The lessons: the first part. */
+    BROWSER_SCENES   /**< The scenes. */
+} BrowserPart;
+
 /** The list of scenes. Starts as `{0}`: closed. */
 typedef struct Browser {
     SceneList list;         /**< The scenes. */
@@ -22,9 +28,12 @@ typedef struct Browser {
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
     bool is_requested;                /**< Whether the selected scene was clicked. */
+    bool is_part_requested;           /**< Whether the button of a part was clicked. */
+    BrowserPart requested_part;       /**< That part. */
     bool is_close_requested;          /**< Whether the button that closes the list was clicked. */
-    size_t described; /**< Index of the scene whose title is shown: the one under the mouse, else
-                           the selected one. */
+    bool follows_mouse;               /**< Whether the mouse was moved after the last key. */
+    size_t described; /**< Index of the scene whose title is shown: the one under the mouse if it
+                           was moved last, else the selected one. */
     int columns;      /**< Thumbnails per line in the last frame; 0: none yet. */
     SDL_Texture *textures[SCENE_LIST_MAXIMUM]; /**< The thumbnails; NULL: not yet; owned. */
 } Browser;
@@ -55,6 +64,9 @@ void browser_deinit(Browser *browser);
 /** Handles a key. */
 BrowserResult browser_key(Browser *browser, SDL_Keycode key);
 
+/** Selects the first scene of a part, else of the other one, and scrolls to it. */
+void browser_go_to(Browser *browser, BrowserPart part);
+
 /** Adds what is typed to the words that are searched. @param text UTF-8. */
 void browser_type(Browser *browser, const char *text);
 
@@ -78,5 +90,8 @@ typedef struct BrowserOrder {
 
 /** Finds the scenes that are shown. The list must be locked. */
 void browser_order(const Browser *browser, BrowserOrder *order);
+
+/** @return The part in which the selected scene is. */
+BrowserPart browser_part(const Browser *browser, const BrowserOrder *order);
 
 #endif

@@ -34,16 +34,31 @@ static SDL_Texture *thumbnail_texture(Browser *browser, size_t index, SDL_Render
     return browser->textures[index];
 }
 
-/** Writes what is searched, and shows the button that closes the list. */
+/** Shows the buttons that go to the lessons and to the scenes. */
+static void show_parts(Browser *browser, const BrowserOrder *order) {
+    const char *const names[] = {
+        [BROWSER_LESSONS] = gettext("Lessons"), [BROWSER_SCENES] = gettext("Scenes")};
+    const size_t counts[] = {
+        [BROWSER_LESSONS] = order->lessons, [BROWSER_SCENES] = order->count - order->lessons};
+    for (int i = BROWSER_LESSONS; i <= BROWSER_SCENES; i++) {
+        char label[HEADER_SIZE];
+        snprintf(label, sizeof label, "%s (%zu)", names[i], counts[i]);
+        if (i > BROWSER_LESSONS) {
+            gui_same_line(label);
+        }
+        const bool is_here = counts[i] > 0 && (int)browser_part(browser, order) == i;
+        if (gui_step_button(label, gettext("go there — Tab"), counts[i] > 0, is_here)) {
+            browser->requested_part = i;
+            browser->is_part_requested = true;
+        }
+    }
+}
+
+/** Writes what is searched, and shows the buttons that go through the list and close it. */
 static void show_header(Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
     const char *close = gettext("✕ close");
-    char text[HEADER_SIZE];
-    snprintf(text, sizeof text,
-             browser->filter[0] != '\0' ? gettext("Lessons and scenes: %zu found")
-                                        : gettext("Lessons and scenes"),
-             order->count);
     gui_panel_begin("scenes header", rect);
-    gui_heading(text);
+    show_parts(browser, order);
     gui_at_right(close);
     if (gui_step_button(close, gettext("back to the picture — Esc"), true, false)) {
         browser->is_close_requested = true;
@@ -52,10 +67,10 @@ static void show_header(Browser *browser, const BrowserOrder *order, const GuiRe
     gui_panel_end();
 }
 
-/** Writes the title of the scene under the mouse, else of the selected one, or its error. */
-static void show_footer(const Browser *browser, const GuiRect *rect) {
+/** Writes the title of the scene that is described, or its error. */
+static void show_footer(const Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
     gui_panel_begin("scenes footer", rect);
-    if (browser->described < browser->list.count) {
+    if (order->count > 0 && browser->described < browser->list.count) {
         const SceneEntry *scene = &browser->list.scenes[browser->described];
         bool is_faulty = scene->is_loaded && !scene->picture.pixels;
         gui_paragraph(scene->title, is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_TEXT, 1);
@@ -93,7 +108,8 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
                                         .scrolls_to_it = is_selected && browser->scrolls};
         int column = (int)((i - first) % (size_t)browser->columns);
         GuiMouse mouse = gui_thumbnail((int)index, &thumbnail, column, width, &scene->is_in_sight);
-        browser->described = mouse == GUI_IDLE ? browser->described : index;
+        browser->described =
+            mouse == GUI_IDLE || !browser->follows_mouse ? browser->described : index;
         if (mouse == GUI_CLICKED) {
             browser->selected = index;
             browser->is_requested = true;
@@ -104,6 +120,7 @@ static void show_part(Browser *browser, const BrowserOrder *order, size_t first,
 /** Shows the thumbnails. */
 static void show_scenes(Browser *browser, const BrowserOrder *order, const GuiRect *rect,
                         SDL_Renderer *renderer) {
+    browser->follows_mouse = browser->follows_mouse || gui_mouse_has_moved();
     gui_gallery_begin("scenes", rect);
     browser->described = browser->selected;
     if (order->lessons > 0) {
@@ -137,6 +154,10 @@ void browser_show(Browser *browser, SDL_Renderer *renderer, const GuiRect *room)
     browser_order(browser, &order);
     show_header(browser, &order, &header);
     show_scenes(browser, &order, &scenes, renderer);
-    show_footer(browser, &footer);
+    show_footer(browser, &order, &footer);
     scene_list_unlock(&browser->list);
+    if (browser->is_part_requested) {
+        browser->is_part_requested = false;
+        browser_go_to(browser, browser->requested_part); // It locks the list.
+    }
 }

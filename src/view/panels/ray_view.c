@@ -22,8 +22,6 @@ static const double ROWS_PER_WINDOW = 30;
 static const double TEXT_SIZE_MINIMUM = 14;
 /** Height of the formulas, fraction of the window: they are what the view is opened for. */
 static const double FORMULAS_FRACTION = 0.42;
-/** Height of the buttons until it is known, fraction of the window. */
-static const double BUTTONS_FRACTION = 0.06;
 /** Difference of heights of the buttons that is only rounding. */
 static const double BUTTONS_TOLERANCE = 0.004;
 /** Seconds in which a ray flies along its path. */
@@ -147,9 +145,13 @@ void ray_view_scroll(RayView *ray_view, int pages) {
 void ray_view_set_buttons(RayView *ray_view, double fraction) {
     if (fabs(fraction - ray_view->buttons_fraction) > BUTTONS_TOLERANCE) {
         ray_view->buttons_fraction = fraction;
-        ray_view_reset_camera(ray_view); // The view has another height.
-        redraw_rays(ray_view);
+        ray_view_on_room_changed(ray_view);
     }
+}
+
+void ray_view_on_room_changed(RayView *ray_view) {
+    ray_view_reset_camera(ray_view); // The view has another height.
+    redraw_rays(ray_view);
 }
 
 void ray_view_turn_arrows(RayView *ray_view) {
@@ -211,10 +213,9 @@ static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
 }
 
 RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
-    const double buttons =
-        ray_view->buttons_fraction > 0 ? ray_view->buttons_fraction : BUTTONS_FRACTION;
     const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
-              top = (int)(buttons * area->h + 0.5), formulas = (int)(FORMULAS_FRACTION * area->h);
+              top = (int)(ray_view->buttons_fraction * area->h + 0.5),
+              formulas = (int)(FORMULAS_FRACTION * area->h);
     RayViewLayout layout = {
         .buttons = {area->x, area->y, area->w, top},
         .formulas = {area->x, area->y + top, width, formulas},

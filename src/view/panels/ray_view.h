@@ -62,8 +62,8 @@ typedef struct RayView {
     int pages_to_scroll;                    /**< Pages by which the next frame scrolls formulas and
                                                  sum. */
     RayViewRequest request;                 /**< What the user has clicked on. */
-    double buttons_fraction; /**< Height of the row of buttons, fraction of the view of rays; 0: it
-                                  was not shown yet. */
+    double buttons_fraction; /**< Height of its own row of buttons, fraction of the view of rays; 0:
+                                  it has none, or none was shown yet. */
 } RayView;
 
 /** The picture whose rays are shown. */
@@ -176,8 +176,19 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
  * @param area   See #RayViewInput.area, but in screen units.
  * @param scale  Pixels per screen unit.
  */
-void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *help,
-                           const SDL_Rect *area, double scale);
+void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const SDL_Rect *area,
+                           double scale);
+
+/** Shows its buttons in a bar that has begun: how to leave, the rays one by one, the drawings
+ * beside the view, and the kinds of rays. Sets #RayView.request if the user clicks on one. */
+void ray_view_show_buttons(RayView *ray_view, const Help *help);
+
+/** Shows the buttons in a row of its own above the view, where no toolbar has them. @param area See
+ *  #ray_view_show_widgets. */
+void ray_view_show_own_row(RayView *ray_view, const Help *help, const SDL_Rect *area);
+
+/** Lays the view out anew: its part of the window has another height. */
+void ray_view_on_room_changed(RayView *ray_view);
 
 /** Frees its textures: the graphics device was reset, or size or language have changed. */
 void ray_view_release_textures(RayView *ray_view);
@@ -192,7 +203,8 @@ RayDrawing ray_view_drawing(const RayView *ray_view, const SDL_Rect *view);
 /** @return How far the chosen ray has flown, 0 to 1; 1: it is still. */
 double ray_view_flight(const RayView *ray_view, double now);
 
-/** Lays the view out below its buttons. @param fraction Their height, fraction of the view. */
+/** Lays the view out below its buttons. @param fraction Their height, fraction of the view; 0: they
+ *  are elsewhere. */
 void ray_view_set_buttons(RayView *ray_view, double fraction);
 
 /** Writes heading, formulas and sum. @param x Column of the pixel. */

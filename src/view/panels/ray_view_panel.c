@@ -190,9 +190,7 @@ static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rec
     gui_panel_end();
 }
 
-/** Shows the row of buttons: how to leave, the rays one by one, the drawings beside the view, and
- * the kinds of rays. */
-static void show_buttons(RayView *ray_view, const Help *help, const SDL_Rect *area) {
+void ray_view_show_buttons(RayView *ray_view, const Help *help) {
     const struct {
         const char *command; /**< What the button does. */
         const char *label;   /**< In English. */
@@ -203,7 +201,6 @@ static void show_buttons(RayView *ray_view, const Help *help, const SDL_Rect *ar
                    {"ray march", N_("march"), ray_view->pane == RAY_PANE_MARCH},
                    {"hit microscope", N_("microscope"), ray_view->pane == RAY_PANE_MICROSCOPE},
                    {"arrows", N_("arrows"), ray_view->is_along_light}};
-    gui_row_begin("ray buttons", (GuiPoint){(float)area->x, (float)area->y}, (float)area->w);
     for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++) {
         char tooltip[TOOLTIP_SIZE];
         if (gui_button(gettext(buttons[i].label), tooltip_write(help, buttons[i].command, tooltip),
@@ -212,6 +209,11 @@ static void show_buttons(RayView *ray_view, const Help *help, const SDL_Rect *ar
         }
     }
     show_kinds(ray_view, help);
+}
+
+void ray_view_show_own_row(RayView *ray_view, const Help *help, const SDL_Rect *area) {
+    gui_row_begin("ray buttons", (GuiPoint){(float)area->x, (float)area->y}, (float)area->w);
+    ray_view_show_buttons(ray_view, help);
     double fraction = (double)gui_bar_end() / SDL_max(1, area->h);
     ray_view_set_buttons(ray_view, SDL_min(fraction, BUTTONS_FRACTION_MAXIMUM));
 }
@@ -275,8 +277,8 @@ static void show_numbers(const RayDrawing *drawing, const SDL_Rect *view, double
     }
 }
 
-void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *help,
-                           const SDL_Rect *area, double scale) {
+void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const SDL_Rect *area,
+                           double scale) {
     RayViewLayout layout = ray_view_layout(ray_view, area);
     SDL_Rect pixels = {0, 0, (int)(layout.view.w * scale), (int)(layout.view.h * scale)};
     if (ray_view->ray_tree.count == 0) {
@@ -289,5 +291,4 @@ void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const Help *he
     show_list(ray_view, scene, &layout.list, is_new);
     show_chosen(ray_view, &layout.formulas, is_new);
     ray_view->pages_to_scroll = 0;
-    show_buttons(ray_view, help, area);
 }

@@ -115,17 +115,12 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     }
 }
 
-/** Writes a number of samples. */
-static void write_samples(int samples, char text[LABEL_SIZE]) {
-    snprintf(text, LABEL_SIZE, ngettext("%d sample", "%d samples", (unsigned long)samples),
-             samples);
-}
-
-/** Number type, depth, samples and light. */
-static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+/** The settings of a ray: offset, number type, depth. */
+static void ray_settings(Toolbar *toolbar, const ToolbarContent *content) {
     const RenderSettings *settings = content->settings;
-    const char *lights[LIGHTING_MODE_COUNT], *types[NUMBER_TYPE_COUNT];
-    char depth[LABEL_SIZE], deepest[LABEL_SIZE], samples[LABEL_SIZE], most[LABEL_SIZE];
+    const char *types[NUMBER_TYPE_COUNT];
+    char depth[LABEL_SIZE], deepest[LABEL_SIZE];
+    offset_widgets(toolbar, content);
     for (int i = 0; i < NUMBER_TYPE_COUNT; i++) {
         types[i] = scene_value_word("number", number_type_names[i]);
     }
@@ -134,6 +129,19 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     snprintf(depth, sizeof depth, "%s %d", gettext("depth"), settings->trace.depth);
     snprintf(deepest, sizeof deepest, "%s %d", gettext("depth"), KEY_DEPTH_MAXIMUM);
     number(toolbar, content, (const char *[]){depth, deepest}, "less deep", "deeper");
+}
+
+/** Writes a number of samples. */
+static void write_samples(int samples, char text[LABEL_SIZE]) {
+    snprintf(text, LABEL_SIZE, ngettext("%d sample", "%d samples", (unsigned long)samples),
+             samples);
+}
+
+/** The settings of a picture: samples and light. */
+static void picture_settings(Toolbar *toolbar, const ToolbarContent *content) {
+    const RenderSettings *settings = content->settings;
+    const char *lights[LIGHTING_MODE_COUNT];
+    char samples[LABEL_SIZE], most[LABEL_SIZE];
     write_samples(settings->samples, samples);
     write_samples(KEY_SAMPLES_MAXIMUM, most);
     number(toolbar, content, (const char *[]){samples, most}, "samples half", "samples twice");
@@ -144,35 +152,68 @@ static void setting_widgets(Toolbar *toolbar, const ToolbarContent *content) {
                   (int)settings->lighting);
 }
 
-void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
+/** The menu of what is about the window, not about the picture; a folded bar has a button instead,
+ *  which unfolds it. */
+static void menu(Toolbar *toolbar, const ToolbarContent *content) {
+    static const char *const commands[] = {"toolbar",     "toolbar keys", "presentation",
+                                           "full screen", "text larger",  "text smaller",
+                                           "language",    "record",       "quit"};
+    enum { COUNT = sizeof commands / sizeof *commands };
+    char texts[COUNT][TOOLTIP_SIZE];
+    const char *entries[COUNT];
+    if (toolbar->is_folded) {
+        command_button(toolbar, content, "☰", "toolbar", false);
+        return;
+    }
+    for (size_t i = 0; i < COUNT; i++) {
+        entries[i] = tooltip_write(content->help, commands[i], texts[i]);
+    }
+    int chosen = gui_menu("☰", gettext("bar, letters, language, lessons to record, the way out"),
+                          entries, COUNT);
+    request(toolbar, chosen >= 0 ? commands[chosen] : NULL, chosen >= 0);
+}
+
+/** The widgets of the rays of a pixel, with the settings that such a ray has. */
+static void ray_widgets(Toolbar *toolbar, const ToolbarContent *content) {
+    ray_view_show_buttons(content->rays, content->help);
+    ray_settings(toolbar, content);
+}
+
+/** The widgets of the picture. */
+static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
-    char text[TOOLTIP_SIZE];
+    command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
+    layer_choice(toolbar, content);
+    ray_settings(toolbar, content);
+    picture_settings(toolbar, content);
+    command_button(toolbar, content, "↺", "as at first", false);
+    cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
+    if (content->is_animated) {
+        command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
+                       content->is_running);
+    }
+    command_button(toolbar, content, gettext("rays"), "rays", false);
+    command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
+    command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
+    command_button(toolbar, content, gettext("magnifier"), "magnifier", content->shows_magnifier);
+    possible_button(toolbar, content, "↩", "undo", content->can_undo);
+    possible_button(toolbar, content, "↪", "redo", content->can_redo);
+}
+
+void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
     gui_bar_begin(toolbar->is_folded);
-    request(toolbar, "toolbar",
-            gui_button("☰",
-                       tooltip_write_pair(content->help, "toolbar", "toolbar keys", ", ", text),
-                       !toolbar->is_folded));
+    menu(toolbar, content);
     if (!toolbar->is_folded) {
-        command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
-        layer_choice(toolbar, content);
-        offset_widgets(toolbar, content);
-        setting_widgets(toolbar, content);
-        command_button(toolbar, content, "↺", "as at first", false);
-        cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
-        if (content->is_animated) {
-            command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
-                           content->is_running);
+        if (content->rays) {
+            ray_widgets(toolbar, content);
+        } else {
+            picture_widgets(toolbar, content);
         }
-        command_button(toolbar, content, gettext("rays"), "rays", content->shows_rays);
-        command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
-        command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
-        command_button(toolbar, content, gettext("magnifier"), "magnifier",
-                       content->shows_magnifier);
-        possible_button(toolbar, content, "↩", "undo", content->can_undo);
-        possible_button(toolbar, content, "↪", "redo", content->can_redo);
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
-        command_button(toolbar, content, "●", "record", content->is_recording);
+        if (content->is_recording) {
+            command_button(toolbar, content, "●", "record", true);
+        }
         command_button(toolbar, content, "?", "help", content->help->is_open);
     }
     toolbar->height = gui_bar_end();

@@ -10,6 +10,7 @@
 
 #include "view/gui/gui.h"
 #include "view/panels/help.h"
+#include "view/panels/ray_view.h"
 #include "view/state/settings_override.h"
 #include "view/window/split_view.h"
 
@@ -17,6 +18,7 @@
 typedef struct Toolbar {
     bool is_folded;      /**< Whether only the button that unfolds it is shown. */
     float height;        /**< Its height in the last frame, pixels of the window. */
+    float usual_height;  /**< The same, without rays; with them: before they were shown. */
     const char *command; /**< Name of the command that the user requests; NULL: none. */
     int repetitions;     /**< How many times it is to be issued. */
 } Toolbar;
@@ -28,7 +30,7 @@ typedef struct ToolbarContent {
     Layer layer;                    /**< Its layer. */
     SplitMode split;                /**< How many pictures are shown. */
     bool shows_settings;            /**< Whether settings and costs are shown. */
-    bool shows_rays;                /**< Whether the rays of a pixel are shown. */
+    RayView *rays;                  /**< The rays that are shown; NULL: none. */
     bool shows_chart;               /**< Whether the chart of settings is shown. */
     bool shows_magnifier;           /**< Whether pixels are magnified. */
     bool is_animated;               /**< Whether the scene depends on time. */

@@ -23,7 +23,14 @@ typedef struct Sentence {
 
 /** The sentences, in the order of the bar; then those of the rays. */
 static const Sentence sentences[] = {
-    {"toolbar", N_("fold this bar, or unfold it; its buttons by keys")},
+    {"toolbar", N_("hide this bar, or show it")},
+    {"toolbar keys", N_("the buttons of this bar by keys")},
+    {"presentation", N_("for a class: large letters, no bar")},
+    {"full screen", N_("the whole screen, or a window")},
+    {"text larger", N_("larger letters")},
+    {"text smaller", N_("smaller letters")},
+    {"language", N_("English, français")},
+    {"quit", N_("leave dioptre")},
     {"scenes", N_("lessons and scenes: a list with pictures, or back to the picture")},
     {"layer light", N_("what each pixel shows: its light, or a number such as the distance, the "
                        "rays it took, rounding errors, acne")},
@@ -45,7 +52,7 @@ static const Sentence sentences[] = {
     {"undo", N_("take the last change back")},
     {"redo", N_("do again what was taken back")},
     {"snapshot", N_("save the picture as a file")},
-    {"record", N_("record what you do as a lesson, or end it")},
+    {"record", N_("record a lesson, or end it")},
     {"help", N_("all keys, on a drawn keyboard")},
     {"fly ray", N_("the next ray flies along its path")},
     {"ray plan", N_("the rays from above")},

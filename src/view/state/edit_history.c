@@ -98,10 +98,6 @@ size_t edit_history_in_force(const EditHistory *history) {
     return history->done - history->base_count;
 }
 
-void edit_history_forget_undone(EditHistory *history) {
-    history->count = history->done;
-}
-
 const SceneOverride *edit_history_find(const EditHistory *history, const SceneOverride *field) {
     for (size_t i = history->done; i > 0; i--) {
         const Edit *edit = &history->edits[i - 1];

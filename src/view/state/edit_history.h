@@ -55,9 +55,6 @@ bool edit_history_redo(EditHistory *history);
 /** @return Number of edits in force that can be undone. */
 size_t edit_history_in_force(const EditHistory *history);
 
-/** Forgets the edits that are undone: something else was changed. */
-void edit_history_forget_undone(EditHistory *history);
-
 /** @return The value of a field, with the object and row of \p field; NULL: no edit in force. */
 const SceneOverride *edit_history_find(const EditHistory *history, const SceneOverride *field);
 

@@ -23,11 +23,14 @@ enum { LINE_SIZE = 160 };
 /** Writes a line of text. @param y Its base line. */
 static void write_text(const RayPaneInput *input, double x, double y, const char *text) {
     cairo_t *cairo = input->drawing.cairo;
+    char shown[LINE_SIZE];
+    snprintf(shown, sizeof shown, "%s", text);
+    language_localize_numbers(shown, sizeof shown);
     cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, input->text_size);
     cairo_set_source_rgb(cairo, 0, 0, 0);
     cairo_move_to(cairo, x, y);
-    cairo_show_text(cairo, text);
+    cairo_show_text(cairo, shown);
 }
 
 /** Fills the ground. */

@@ -89,6 +89,7 @@ static bool read_pixels(const Window *window, int x, int y, PixelReadout *readou
         }
         readout->count++;
     }
+    readout->samples = window->viewports[0].report.samples;
     return true;
 }
 

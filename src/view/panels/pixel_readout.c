@@ -101,6 +101,9 @@ void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
     if (readout->count == 1) {
         append(text, ", ");
         append_value(&readout->readings[0], text);
+        if (readout->readings[0].layer == LAYER_SHADED && readout->samples > 1) {
+            append(text, gettext(" (mean of %d samples)"), readout->samples);
+        }
         return;
     }
     append(text, "\n%s ", gettext("left:"));

@@ -30,6 +30,13 @@ static void add_screen_color(RayFormulas *sum, const char *text, const int code[
     }
 }
 
+/** Writes the numbers of formulas as readers of the language do. */
+static void localize_formulas(RayFormulas *formulas) {
+    for (size_t i = 0; i < formulas->count; i++) {
+        language_localize_numbers(formulas->items[i].text, sizeof formulas->items[i].text);
+    }
+}
+
 void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, int y) {
     Encoder encoder;
     const RenderSettings *settings = &input->viewport->settings;
@@ -40,9 +47,12 @@ void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, in
     const int code[3] = {encoder_encode(&encoder, (float)color->red),
                          encoder_encode(&encoder, (float)color->green),
                          encoder_encode(&encoder, (float)color->blue)};
-    snprintf(ray_view->heading, sizeof ray_view->heading, gettext("Pixel %d %d: #%02x%02x%02x"), x,
-             y, (unsigned)code[0], (unsigned)code[1], (unsigned)code[2]);
+    // The picture's pixel is the mean of all samples.
+    snprintf(ray_view->heading, sizeof ray_view->heading,
+             gettext("Pixel %d %d, one ray: #%02x%02x%02x"), x, y, (unsigned)code[0],
+             (unsigned)code[1], (unsigned)code[2]);
     ray_formulas_write(&formulas, ray_view->selected, &ray_view->formulas);
+    localize_formulas(&ray_view->formulas);
     ray_sum_write(&formulas, ray_view->selected, &ray_view->sum);
     if (ray_view->selected == 0) {
         add_screen_color(&ray_view->sum,
@@ -50,6 +60,7 @@ void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, in
                                                              : gettext("255 × it ="),
                          code);
     }
+    localize_formulas(&ray_view->sum);
 }
 
 /* --- the list --------------------------------------------------------------------------------- */
@@ -70,6 +81,7 @@ static void describe_ray(const RayTree *tree, const Scene *scene, size_t index,
     } else if (ray->kind != RAY_SHADOW) {
         double share = fmax(ray->weight.red, fmax(ray->weight.green, ray->weight.blue));
         snprintf(rest, size, gettext(kinds[ray->kind]), 100 * share, name);
+        language_localize_numbers(rest, size);
     } else if (ray->shape >= 0) {
         snprintf(rest, size, gettext("lamp %d: behind %s"), ray->light + 1, name);
     } else {

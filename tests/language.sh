@@ -26,10 +26,13 @@ empty "$work/out" 'French signs have their no-break space'
 { grep "'" "$work/french"; grep -nE "\\bfr = \"[^\"]*'|^-- fr( name)?: .*'" scenes/*.lua scenes/lessons/*.lua; } >"$work/out"
 empty "$work/out" "French apostrophes are typographic: ’"
 for scene in scenes/*.lua scenes/lessons/*.lua; do
-    grep -q '^lesson {' "$scene" || for language in en fr 'fr name'; do
+    grep -q '^lesson {' "$scene" || for language in en fr; do
         grep -q "^-- $language: " "$scene" || echo "$scene $language"
     done
 done >"$work/out"
+for scene in scenes/*.lua; do
+    grep -q '^-- fr name: ' "$scene" || echo "$scene"
+done >>"$work/out"
 empty "$work/out" 'scenes are described in both languages, and have a French name'
 
 # --- help --------------------------------------------------------------------------------------------

@@ -57,17 +57,19 @@ bool begins_at(const ImGuiWindow *window, float top) {
 }
 
 /** @return Where a tooltip of a bar has room: below it, and below the bars that lie there; at the
- *  lower edge of the display where a panel does. @param height Of the tooltip. */
+ *  lower edge of the display where a panel that is no bar begins there. @param height Of the
+ * tooltip. */
 float below_bars(const ImGuiWindow *bar, float height, float gap) {
-    float bottom = bar->Pos.y + bar->Size.y;
-    // In the order in which they lie on each other, not from above: each may be the next one.
+    const float first = bar->Pos.y + bar->Size.y;
+    float bottom = first;
+    // They are not in the order from above: each may be the next one.
     for (int i = 0; i < BARS_MAXIMUM; i++) {
         for (const ImGuiWindow *window : ImGui::GetCurrentContext()->Windows) {
             const bool is_next = window != bar && begins_at(window, bottom);
-            if (is_next && !is_bar(window)) {
+            if (is_next && !is_bar(window) && bottom <= first) {
                 return ImGui::GetIO().DisplaySize.y - height - gap;
             }
-            bottom = is_next ? window->Pos.y + window->Size.y : bottom;
+            bottom = is_next && is_bar(window) ? window->Pos.y + window->Size.y : bottom;
         }
     }
     return bottom + gap;

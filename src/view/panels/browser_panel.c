@@ -48,7 +48,7 @@ static void show_parts(Browser *browser, const BrowserOrder *order) {
         }
         const bool is_here = counts[i] > 0 && (int)browser_part(browser, order) == i;
         if (gui_step_button(label, gettext("go there — Tab"), counts[i] > 0, is_here)) {
-            browser->requested_part = i;
+            browser->requested_part = (BrowserPart)i;
             browser->is_part_requested = true;
         }
     }

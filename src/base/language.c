@@ -124,8 +124,9 @@ void language_localize_numbers(char *text, size_t size) {
     static const char between[] = "\xc2\xa0; ";
     /** The comma and the space that it replaces. */
     const size_t replaced = strlen(", ");
+    const bool is_wanted = language_is_french();
     int depth = 0;
-    for (char *c = text; language_is_french() && *c; c++) {
+    for (char *c = text; is_wanted && *c; c++) {
         const unsigned char before = c > text ? (unsigned char)c[-1] : '\0';
         depth += (*c == '(') - (*c == ')');
         if (*c == '.' && isdigit(before) && isdigit((unsigned char)c[1])) {

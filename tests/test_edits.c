@@ -176,7 +176,7 @@ static void test_leave(void **state) {
     assert_true(settle());
     run("leave");
     run("leave");
-    assert_status("Esc again leaves");
+    assert_status("leave again to lose the changes");
     assert_false(app->exit.is_requested);
     run("leave");
     assert_true(app->exit.is_requested);

@@ -384,8 +384,8 @@ static const char *leaving_question(const App *app) {
     return is_changed ? N_("objects were changed: leave again to lose the changes") : NULL;
 }
 
-/** See #action_quit. */
-static void leave_program(App *app) {
+void action_quit(App *app, int argument) {
+    (void)argument;
     double now = clock_now_seconds();
     const char *question = leaving_question(app);
     if (!question || now < app->exit.confirmation_end) {
@@ -430,11 +430,6 @@ void action_leave(App *app, int argument) {
     } else if (is_full) {
         action_toggle_full_screen(app, 0);
     } else {
-        leave_program(app);
+        action_quit(app, 0);
     }
-}
-
-void action_quit(App *app, int argument) {
-    (void)argument;
-    leave_program(app);
 }

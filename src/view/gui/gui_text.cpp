@@ -103,21 +103,22 @@ ImVec2 place_tooltip(ImVec2 whole, float room) {
     return at;
 }
 
-/** @return Whether the last widget was clicked, and the mouse has stayed on it: who clicks knows
- *  what it does, and looks at what it has done. */
-bool is_silenced() {
-    Gui *gui = current_gui();
+/** Notes the last widget, which is under the mouse, if it is clicked: until the mouse leaves it, it
+ *  has no tooltip. Who clicks knows what it does, and looks at what it has done. */
+void silence_clicked_widget() {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        gui->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+        current_gui()->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     }
-    return gui->silenced.Contains(ImGui::GetIO().MousePos);
 }
 
 } // namespace
 
 void show_tooltip(const char *text) {
-    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
-        is_silenced()) {
+    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
+    }
+    silence_clicked_widget();
+    if (current_gui()->silenced.Contains(ImGui::GetIO().MousePos)) {
         return;
     }
     const ImVec2 pad = ImGui::GetStyle().WindowPadding;

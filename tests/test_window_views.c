@@ -71,6 +71,19 @@ static void check_chosen(const Fixture *fixture, size_t ray) {
     assert_true(button->rect.y + button->rect.height <= title->rect.y);
 }
 
+/** Notes each text of a list of which a line is seen in part. */
+static void check_whole_lines(Fixture *fixture, const char *what) {
+    const GuiText *texts;
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    for (size_t i = 0; i < count; i++) {
+        const GuiText *text = &texts[i];
+        const float lines = seen(text).height / text->size;
+        if (text->scrolls && lines > 0 && fabsf(lines - roundf(lines)) * text->size > ROUNDING) {
+            fault(fixture, what, "%g lines of '%s' are seen", (double)lines, text->text);
+        }
+    }
+}
+
 /** Checks the view of rays: each drawing beside it, some rays of it. */
 static void check_rays(Fixture *fixture) {
     static const char *const panes[] = {"rays", "rays and plan", "rays and march",
@@ -86,6 +99,7 @@ static void check_rays(Fixture *fixture) {
             assert_true(rays->ray_tree.count > 4);
             check_frame(fixture, panes[pane], 8);
             check_chosen(fixture, ray);
+            check_whole_lines(fixture, panes[pane]);
         }
     }
     ray_view_reset(rays);

@@ -329,7 +329,8 @@ size_t gui_texts(const Gui *gui, const GuiText **texts);
 /* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
  */
 
-/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_panel_end. */
+/** Begins a list with a dark ground, which scrolls, and shows no line in part. Its rows follow,
+ * then #gui_panel_end. */
 void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
 
 /** Begins a row of buttons, as high as they need. Its widgets follow, then #gui_bar_end. */

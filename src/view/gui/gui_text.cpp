@@ -190,17 +190,30 @@ ImVec2 text_extent(const char *text, float width) {
     return size;
 }
 
+bool is_line_shown(const ImDrawList *list, float top) {
+    const ImVec4 &clip = list->_ClipRectStack.back();
+    return !current_gui()->has_whole_lines ||
+           (top >= clip.y && top + ImGui::GetFontSize() <= clip.w);
+}
+
 ImVec2 put_text(ImDrawList *list, ImVec2 corner, float width, ImU32 color, const char *text) {
     const float size = ImGui::GetFontSize();
-    ImVec2 at(roundf(corner.x), roundf(corner.y)), extent = text_extent(text, width);
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), list->_ClipRectStack.back(),
-                size);
-    while (*text != '\0') {
-        const char *end = line_end(text, width);
-        list->AddText(at, color, text, end);
-        at.y += size;
-        text = *end != '\0' ? end + 1 : end;
+    const ImVec2 low(roundf(corner.x), roundf(corner.y)), extent = text_extent(text, width);
+    ImVec4 seen = list->_ClipRectStack.back();
+    float bottom = low.y;
+    const char *line = text;
+    for (float top = low.y; *line != '\0'; top += size) {
+        const char *end = line_end(line, width);
+        if (is_line_shown(list, top)) {
+            list->AddText(ImVec2(low.x, top), color, line, end);
+            bottom = top + size;
+        } else if (bottom <= low.y) {
+            seen.y = fmaxf(seen.y, top + size); // The line is above what is shown.
+        }
+        line = *end != '\0' ? end + 1 : end;
     }
+    seen.w = current_gui()->has_whole_lines ? fmaxf(seen.y, fminf(seen.w, bottom)) : seen.w;
+    record_text(text, low, ImVec2(low.x + extent.x, low.y + extent.y), seen, size);
     return extent;
 }
 

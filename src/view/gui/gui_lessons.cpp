@@ -112,6 +112,7 @@ bool gui_step_list_entry(size_t index, const char *text, bool is_present) {
     bool is_clicked = ImGui::Selectable("##entry", is_present);
     if (is_present && ImGui::IsWindowAppearing()) {
         ImGui::SetScrollHereY();
+        gui_request_frames(current_gui()); // It moves in the next one.
     }
     ImGui::SameLine(0, 0);
     if (is_present) {

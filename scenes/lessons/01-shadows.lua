@@ -38,6 +38,7 @@ ask(eye)
 hold("camera right", 0.56)
 wait(0.3)
 hold("camera up", 0.4)
+wait(0.3)
 explain()
 press "home"
 caption { wait = true, en = "Back to our first place.", fr = "Revenons au point de départ." }

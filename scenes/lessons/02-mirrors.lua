@@ -83,6 +83,7 @@ hold("camera left", 1.2)
 wait(1)
 explain()
 hold("camera right", 2.4)
+wait(0.3)
 caption { wait = true, en = "And from the right we see more of what is on the left.",
           fr = "Et depuis la droite, on voit mieux ce qui est à gauche." }
 press "home"

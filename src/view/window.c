@@ -183,6 +183,12 @@ void window_toggle_settings(Window *window) {
     window_present(window);
 }
 
+void window_end_settings(Window *window) {
+    update_text_now(window);
+    window->shows_settings = false;
+    window->settings_end_time = 0;
+}
+
 /** Opens or closes the second viewport. @return false without memory: there is one viewport then.
  */
 static bool update_second_viewport(Window *window, const Scene *scene, Error *error) {

@@ -47,6 +47,10 @@ void gui_destroy(Gui *gui);
 /** Forgets the texture of the letters: the graphics device was reset. */
 void gui_on_device_reset(Gui *gui);
 
+/** Finds the letters of shortcuts, such as Ctrl+A, on the keyboard in use: it is another one now.
+ *  @param gui The interface, or NULL. */
+void gui_on_keymap(Gui *gui);
+
 /**
  * Tells the interface of an event.
  * @return Whether the event is for the interface alone: the mouse is over a widget or holds one.

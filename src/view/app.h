@@ -162,8 +162,8 @@ typedef bool StatusHoldsFn(const App *app);
 /** The title of the window. */
 typedef struct TitleState {
     char status_text[STATUS_TEXT_SIZE]; /**< Its last part: the newest message; empty: none. */
-    StatusHoldsFn *holds;               /**< Until when it holds; NULL: it says nothing that ends. */
-    double next_update_time;            /**< Earliest time of its next change, seconds. */
+    StatusHoldsFn *holds;    /**< Until when it holds; NULL: it says nothing that ends. */
+    double next_update_time; /**< Earliest time of its next change, seconds. */
 } TitleState;
 
 /** The end of the program. */

@@ -229,6 +229,12 @@ static void test_keymap_help(void **state) {
     assert_string_equal(help_text_keys(&list, "this help: all keys"), "F1  H  ?");
     assert_string_equal(help_text_keys(&list, "the toolbar by keys: arrows, Enter; Esc: back"),
                         "Shift+F2");
+    // Those of a lesson are those of the commands that steer it.
+    assert_string_equal(help_text_keys(&list, "hold the lesson, or let it go on"), "Space");
+    assert_string_equal(help_text_keys(&list, "a step of the lesson back, on at once"), ",  .");
+    assert_string_equal(help_text_keys(&list, "answer its question; choose on its end card"),
+                        "1 to 9");
+    assert_string_equal(help_text_keys(&list, "leave the lesson: press twice"), "Esc");
     assert_string_equal(
         help_text_keys(&list, "show or hide camera, shadow, mirrored, refracted rays"),
         "Shift+1  Shift+2  Shift+3  Shift+4");
@@ -279,7 +285,7 @@ static void test_keyboard_labels(void **state) {
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 8);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 

@@ -937,6 +937,44 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** @return What stands in the row of a panel that has a label. */
+static const char *hud_text(const Hud *hud, const char *label) {
+    for (size_t i = 0; i < hud->count; i++) {
+        if (strcmp(hud->rows[i].label, label) == 0) {
+            return hud->row_texts[i];
+        }
+    }
+    fail_msg("no row %s", label);
+    return "";
+}
+
+/** The panel tells the time until all pixels had a ray from that of the picture, which the title
+ *  has. */
+static void test_times(void **state) {
+    (void)state;
+    Error error = {0};
+    Viewport viewport = {.settings = {.engine = engine_find("f64x1", &error), .samples = 4},
+                         .report = {.seconds = 2.1568,
+                                    .rays = {.camera = 1000},
+                                    .stride = 1,
+                                    .samples = 4,
+                                    .is_finished = true},
+                         .render_seconds = 0.3317};
+    const HudContent content = {.viewport = &viewport, .shows_settings = true};
+    const TitleContent title_content = {
+        .name = "box", .width = 8, .height = 6, .status_text = "", .report = &viewport.report};
+    Hud hud = {0};
+    char title[TITLE_SIZE];
+    hud_update(&hud, &content, 1);
+    title_write(&title_content, title);
+    assert_string_equal(hud_text(&hud, "all pixels"), "331.7 ms");
+    assert_string_equal(hud_text(&hud, "in all"), "2156.8 ms");
+    assert_non_null(strstr(title, "4 samples, 2156.8 ms,"));
+    viewport.previous_render_seconds = 0.5;
+    hud_update(&hud, &content, 2);
+    assert_string_equal(hud_text(&hud, "all pixels"), "331.7 ms, -168.3 (× 0.66)");
+}
+
 /** Settings that were tried have one point each; the front is what none beats in time and error. */
 static void test_settings_chart(void **state) {
     (void)state;
@@ -1522,6 +1560,7 @@ int main(void) {
         cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
+        cmocka_unit_test(test_times),
         cmocka_unit_test(test_magnifier),
         cmocka_unit_test(test_settings_chart),
         cmocka_unit_test(test_error_meter),

@@ -11,6 +11,7 @@
 #include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/state/scene_text.h"
+#include "view/state/way_out.h"
 
 #include <libintl.h>
 #include <stdlib.h>
@@ -388,6 +389,10 @@ static const char *leaving_question(const App *app) {
 static void leave_program(App *app) {
     double now = clock_now_seconds();
     const char *question = leaving_question(app);
+    if (!app_is_playing(app) && !way_out_exists()) {
+        app_set_status(app, "close the tab of the page to leave dioptre");
+        return;
+    }
     if (!question || now < app->exit.confirmation_end) {
         app->player.is_leaving = app_is_playing(app);
         app->exit.is_requested = !app->player.is_leaving;

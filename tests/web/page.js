@@ -10,6 +10,7 @@ const PARTS = {
   single: windows.single,
   links: require("./links.js"),
   panel: require("./panel.js"),
+  models: require("./models.js"),
   layout: require("./layout.js"),
   firefox: require("./firefox.js"),
   bits: require("./bits.js"),

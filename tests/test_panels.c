@@ -132,7 +132,8 @@ static void check_list(Fixture *fixture) {
     assert_true(browser->list.count > 20);
     for (size_t i = 0; i < browser->list.count; i++) {
         SceneEntry *scene = &browser->list.scenes[i];
-        assert_true(picture_init(&scene->picture, 4, 3, NULL));
+        // The list has those that it was closed with.
+        assert_true(scene->picture.pixels || picture_init(&scene->picture, 4, 3, NULL));
         scene_title_read(scene->path, scene->is_lesson, language_is_french(), scene->title);
     }
     check_frame(fixture, "list", 6);

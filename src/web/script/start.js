@@ -15,6 +15,8 @@ const READER = "/dioptre/models.wasm", READ_BY_READER = /\.(ply|stl|glb|gltf)$/i
 const EDIT_DELAY = 150;
 /** Milliseconds between two looks for what the program has written. */
 const OFFER_DELAY = 1000;
+/** How often the program is told a size, and milliseconds between. */
+const FIT_TRIES = 20, FIT_DELAY = 100;
 /** Milliseconds from the program's word that there is a picture until it is on the screen. */
 const SCREEN_DELAY = 50;
 const $ = (id) => document.getElementById(id);
@@ -187,19 +189,30 @@ const toggle = (button, section) => {
   $(button).setAttribute("aria-expanded", String(!$(section).hidden));
 };
 
-/** The window follows its element: when the page changes its size, and when the program asks for another. */
+/** The window follows its element: when the page changes its size, and when the program asks for another. A program that is just about
+ * to get the size that it asked for does not hear of another: it is told until it has the right one. */
 const fitCanvas = () => {
   const canvas = $("canvas"), fit = () => window.dispatchEvent(new Event("resize"));
+  const isFit = () => {
+    const { width, height } = canvas.getBoundingClientRect();
+    return Math.abs(canvas.width - width * devicePixelRatio) <= 1 && Math.abs(canvas.height - height * devicePixelRatio) <= 1;
+  };
+  let timer = 0;
+  const fitSoon = (tries, delay) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      if (!isFit() && tries > 0) {
+        fit();
+        fitSoon(tries - 1, FIT_DELAY);
+      }
+    }, delay);
+  };
   new ResizeObserver(fit).observe($("stage"));
-  new MutationObserver(() => {
-    if (Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) > 1 ||
-        Math.abs(canvas.height - canvas.clientHeight * devicePixelRatio) > 1) {
-      setTimeout(fit, 0);
-    }
-  }).observe(canvas, { attributeFilter: ["width", "height"] });
+  new MutationObserver(() => fitSoon(FIT_TRIES, 0)).observe(canvas, { attributeFilter: ["width", "height"] });
 };
 
 const listen = () => {
+  fitCanvas();
   $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
   $("scenes").addEventListener("change", () => openScene($("scenes").value));
   $("share").addEventListener("click", () => module._web_ask_state());

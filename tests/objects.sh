@@ -99,12 +99,13 @@ grep -q '^sphere { radius = 0.5, ' "$work/log" && ok 'F3 and F10: a number is ty
 setxkbmap fr && sleep 0.3
 xdotool key F10 && settled
 for _ in 1 2 3 4 5; do xdotool key Down && sleep 0.2; done
-xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2
+# The number is chosen when it opens; behind its end, only Ctrl+A chooses it again.
+xdotool key Return && sleep 0.3 && xdotool key End && sleep 0.2 && xdotool key ctrl+a && sleep 0.2
 for key in ampersand comma eacute agrave quotedbl; do xdotool key "$key" && sleep 0.1; done
 xdotool key Return && settled && xdotool key Escape && settled
 setxkbmap us && sleep 0.5
 xdotool key ctrl+c && sleep 0.5
-tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, ' && ok 'AZERTY: digits without Shift, and a comma' || fail "$(tail -1 "$work/log")"
+tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, ' && ok 'AZERTY: Ctrl+A by what is printed on the key, digits without Shift, and a comma' || fail "$(tail -1 "$work/log")"
 # Below the radius are the transform, the material, its colour; right of the brightness is its square.
 xdotool key F10 && settled
 for key in Down Down Down Down Down Down Down Down Right Return; do xdotool key $key && sleep 0.2; done

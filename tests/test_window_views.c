@@ -112,6 +112,7 @@ static void check_lesson_panel(Fixture *fixture) {
         if (lesson_panel_lists(&lesson->steps[i]) || lesson->steps[i].kind == LESSON_EXPLAIN) {
             window_set_lesson_panel(&fixture->window, &panel);
             check_frame(fixture, "lesson", 4);
+            assert_non_null(find_text(fixture, gettext("✕ leave"))); // By the mouse, too.
         }
     }
     for (size_t i = 0; i < lesson->question_count; i++) {

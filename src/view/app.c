@@ -28,8 +28,22 @@ void app_set_status(App *app, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(app->title.status_text, sizeof app->title.status_text, gettext(format), arguments);
     va_end(arguments);
+    app->title.holds = NULL;
     app->title.next_update_time = 0;
     window_set_toast(&app->window, app->title.status_text);
+}
+
+void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text) {
+    app_set_status(app, "%s", gettext(text));
+    app->title.holds = holds;
+}
+
+void app_update_status(App *app) {
+    // What ends by time ends before its message on the picture does, which wakes the loop.
+    if (app->title.holds && !app->title.holds(app)) {
+        app_clear_status(app);
+        window_end_toast(&app->window);
+    }
 }
 
 void app_sync_window(App *app) {
@@ -50,6 +64,7 @@ void app_sync_window(App *app) {
 
 void app_clear_status(App *app) {
     app->title.status_text[0] = '\0';
+    app->title.holds = NULL;
     app->title.next_update_time = 0;
 }
 

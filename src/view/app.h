@@ -156,9 +156,13 @@ typedef struct Recorder {
     char shown[CAPTION_INPUT_SIZE + sizeof CARET]; /**< The same with a caret. */
 } Recorder;
 
+/** @return Whether a message still holds. */
+typedef bool StatusHoldsFn(const App *app);
+
 /** The title of the window. */
 typedef struct TitleState {
     char status_text[STATUS_TEXT_SIZE]; /**< Its last part: the newest message; empty: none. */
+    StatusHoldsFn *holds;               /**< Until when it holds; NULL: it says nothing that ends. */
     double next_update_time;            /**< Earliest time of its next change, seconds. */
 } TitleState;
 
@@ -166,7 +170,8 @@ typedef struct TitleState {
 typedef struct ExitState {
     bool is_requested;       /**< Whether the window is to be closed. */
     Status status;           /**< Exit status of the program. */
-    double confirmation_end; /**< Until when leaving again needs no question, s; 0: not asked. */
+    const char *question;    /**< What was asked before leaving, in English; NULL: nothing. */
+    double confirmation_end; /**< Until when leaving again answers it, seconds. */
 } ExitState;
 
 /** The state of an open window. */
@@ -197,6 +202,13 @@ typedef struct App {
 /** Shows a status in the title, until the view changes, and for a while on the picture. @param
  * format In English, as for printf; translated here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Shows a status that goes, in the title and on the picture, once it does not hold any more.
+ *  @param text In English; translated here. */
+void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text);
+
+/** Takes the status away if it does not hold any more. */
+void app_update_status(App *app);
 
 /** Tells the window what it shows beside its pictures. */
 void app_sync_window(App *app);

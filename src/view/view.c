@@ -173,6 +173,7 @@ static void run_frame(App *app) {
     if (!player_capture(app, &error)) {
         app_report_error(app, &error);
     }
+    app_update_status(app);
     update_title(app, clock_now_seconds());
     SDL_Event event;
     bool is_event = !app->exit.is_requested && wait_for_event(app, clock_now_seconds(), &event);

@@ -241,6 +241,9 @@ void window_set_toast(Window *window, const char *text);
 /** Shows or hides settings and costs. */
 void window_toggle_settings(Window *window);
 
+/** Hides settings and costs that came by themselves, from the next frame on. */
+void window_end_settings(Window *window);
+
 /** Opens, closes and replaces renderers as the settings require. No thread may load a scene from
  * the old ones meanwhile. @return false without memory; the old renderers stay then. */
 bool window_update_renderers(Window *window, const Scene *scene, Error *error);

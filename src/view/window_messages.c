@@ -112,11 +112,7 @@ void window_show_messages(const Window *window, int width, float bottom) {
 static bool expire_settings(Window *window, double now) {
     bool is_over = window->settings_end_time > 0 && now >= window->settings_end_time;
     if (is_over) {
-        window->shows_settings = false;
-        window->settings_end_time = 0;
-        for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
-            hud_invalidate(&window->huds[i]);
-        }
+        window_end_settings(window);
     }
     return is_over;
 }

@@ -29,6 +29,7 @@ static void show_toolbar(Window *window) {
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording,
+                              .is_playing = state->is_playing,
                               .shows_scenes = window->browser.is_open,
                               .can_undo = state->can_undo,
                               .can_redo = state->can_redo};

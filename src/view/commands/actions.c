@@ -11,15 +11,12 @@
 #include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/state/scene_text.h"
-#include "view/state/way_out.h"
 
 #include <libintl.h>
 #include <stdlib.h>
 
 /** How far a key moves the bar between two pictures, as a fraction of the window's width. */
 static const double BAR_STEP = 0.02;
-/** Seconds in which the program must be left again to end a lesson. */
-static const double CONFIRMATION_SECONDS = 4;
 
 /* --- time and view ---------------------------------------------------------------------------- */
 
@@ -371,75 +368,4 @@ void action_toggle_presentation(App *app, int argument) {
 void action_toggle_full_screen(App *app, int argument) {
     (void)argument;
     sdl_window_toggle_full_screen(&app->window.sdl);
-}
-
-/** @return What leaving would lose, and how to leave nevertheless; NULL: nothing. */
-static const char *leaving_question(const App *app) {
-    if (app_is_playing(app)) {
-        return N_("a lesson plays: leave again to end it");
-    }
-    if (app_is_recording(app)) {
-        return N_("a lesson is recorded: leave again to end it");
-    }
-    bool is_changed = edit_history_in_force(&app->edits) > 0;
-    return is_changed ? N_("objects were changed: leave again to lose the changes") : NULL;
-}
-
-/** See #action_quit. */
-static void leave_program(App *app) {
-    double now = clock_now_seconds();
-    const char *question = leaving_question(app);
-    if (!app_is_playing(app) && !way_out_exists()) {
-        app_set_status(app, "close the tab of the page to leave dioptre");
-        return;
-    }
-    if (!question || now < app->exit.confirmation_end) {
-        app->player.is_leaving = app_is_playing(app);
-        app->exit.is_requested = !app->player.is_leaving;
-        app->exit.confirmation_end = 0;
-        return;
-    }
-    app->exit.confirmation_end = now + CONFIRMATION_SECONDS;
-    app_set_status(app, "%s", gettext(question));
-}
-
-/** Issues a command by its name. */
-static void issue(App *app, const char *name) {
-    command_issue(app, command_find(app->commands, name), clock_now_seconds());
-}
-
-void action_leave(App *app, int argument) {
-    (void)argument;
-    Window *window = &app->window;
-    bool is_full = SDL_GetWindowFlags(window->sdl.window) & SDL_WINDOW_FULLSCREEN_DESKTOP;
-    bool is_own = !app_is_playing(app);
-    if (gui_close_list(window->gui)) {
-        return;
-    }
-    if (window->help.is_open) {
-        action_toggle_help(app, 0);
-    } else if (app->player.lesson && is_own) {
-        app->player.is_leaving = true;
-    } else if (is_own && window->ray_view.is_open) {
-        issue(app, "rays");
-    } else if (is_own && window->settings_chart.is_open) {
-        issue(app, "chart");
-    } else if (is_own && window->object_inspector.number > 0) {
-        edits_close(app);
-    } else if (is_own && window->magnifier.is_on) {
-        issue(app, "magnifier");
-    } else if (is_own && window->split.mode != SPLIT_NONE) {
-        issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
-    } else if (is_own && window_active_viewport(window)->layer != LAYER_SHADED) {
-        issue(app, "layer light");
-    } else if (is_full) {
-        action_toggle_full_screen(app, 0);
-    } else {
-        leave_program(app);
-    }
-}
-
-void action_quit(App *app, int argument) {
-    (void)argument;
-    leave_program(app);
 }

@@ -136,8 +136,8 @@ void action_toggle_presentation(App *app, int argument);
 /** Changes between the full screen and a window. */
 void action_toggle_full_screen(App *app, int argument);
 
-/** Closes what lies topmost: help, a lesson's end card, rays, inspector, two pictures, a layer, the
- * full screen; at last the program. What a lesson shows stays. */
+/** Closes what lies topmost: help, a lesson's end card, rays, settings, chart, inspector, magnifier,
+ *  two pictures, a layer, the full screen; at last the program. What a lesson shows stays. */
 void action_leave(App *app, int argument);
 
 /** Ends the lesson that plays, or else the program, where it can be ended (#way_out_exists); if that

@@ -225,6 +225,7 @@ Gui *gui_create(SDL_Window *window, SDL_Renderer *renderer) {
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     set_style();
     ImGui_ImplSDL2_InitForSDLRenderer(window);
+    gui_on_keymap(gui);
     return gui;
 }
 

@@ -47,6 +47,10 @@ void gui_destroy(Gui *gui);
 /** Forgets the texture of the letters: the graphics device was reset. */
 void gui_on_device_reset(Gui *gui);
 
+/** Finds the letters of shortcuts, such as Ctrl+A, on the keyboard in use: it is another one now.
+ *  @param gui The interface, or NULL. */
+void gui_on_keymap(Gui *gui);
+
 /**
  * Tells the interface of an event.
  * @return Whether the event is for the interface alone: the mouse is over a widget or holds one.
@@ -556,8 +560,9 @@ bool gui_edit_choice(const char *label, double *number, const char *const *words
 /** @return Whether the user holds a widget, or types into one. */
 bool gui_is_editing(void);
 
-/** Draws a line on the picture: a part of the outline of what is selected. */
-void gui_outline_line(GuiPoint from, GuiPoint to);
+/** Draws a line on the picture: a part of the outline of what is selected. @param picture Where the
+ *  picture is; what leaves it is not drawn. */
+void gui_outline_line(GuiPoint from, GuiPoint to, const GuiRect *picture);
 
 #ifdef __cplusplus
 }

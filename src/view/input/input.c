@@ -98,6 +98,7 @@ static void on_window(App *app, const SDL_WindowEvent *event) {
 /** Handles another keyboard layout. */
 static void on_keymap(App *app, double time) {
     keyboard_release_all(app, time);
+    gui_on_keymap(app->window.gui);
     window_invalidate_text(&app->window);
     window_present(&app->window);
 }

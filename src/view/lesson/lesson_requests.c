@@ -3,10 +3,10 @@
  * @brief What viewers request of a lesson, by buttons and keys: hold it, go back, go on, answer.
  */
 #include "base/language.h"
+#include "view/commands/leaving.h"
 #include "view/lesson/player.h"
 #include "view/lesson/player_internal.h"
 
-#include <libintl.h>
 #include <limits.h>
 #include <string.h>
 
@@ -82,6 +82,24 @@ static void toggle_waiting(App *app) {
     }
 }
 
+/** @return Whether nothing would be lost with the lesson: it is at its first stop, and nothing was
+ *  answered. */
+static bool is_at_beginning(const Player *player) {
+    int asked = 0;
+    lesson_panel_score(player->lesson, player->answers, &asked);
+    return asked == 0 && (player->stop >= player->lesson->count ||
+                          lesson_panel_number(player->lesson, player->stop) == 0);
+}
+
+/** Ends the lesson, or asks first whether it is to be ended. */
+static void leave(App *app) {
+    if (is_at_beginning(&app->player)) {
+        app->player.is_leaving = true;
+    } else {
+        leaving_request(app);
+    }
+}
+
 /* --- buttons ---------------------------------------------------------------------------------- */
 
 /** Does what a button or a key of the end card requests. */
@@ -118,6 +136,9 @@ static void handle_playing_request(App *app, LessonRequest request) {
         break;
     case LESSON_REQUEST_ANSWER:
         player_answer(app, (int)request.index + 1);
+        break;
+    case LESSON_REQUEST_CLOSE:
+        leave(app);
         break;
     default:
         break;
@@ -168,8 +189,8 @@ bool player_handle_digit(App *app, SDL_Scancode key) {
 
 /** Handles a command that steers the lesson. @return Whether it does. */
 static bool steer(App *app, const Command *command) {
-    bool is_asking = app->player.state == PLAYER_ASKS && command_is(command, "time");
-    if (app->player.state == PLAYER_CAPTURES || is_asking) {
+    bool is_open = app->player.state == PLAYER_ASKS && command_is(command, "time");
+    if (app->player.state == PLAYER_CAPTURES || is_open) {
         return false;
     }
     if (command_is(command, "time")) {
@@ -193,14 +214,33 @@ static bool steer_card(App *app, const Command *command) {
            command_is(command, "time on");
 }
 
+/** @return Whether the lesson still runs. See #StatusHoldsFn. */
+static bool is_running(const App *app) {
+    return app->player.lesson && app->player.state == PLAYER_RUNS;
+}
+
+/** @return Whether it is still held. */
+static bool is_held(const App *app) {
+    return app->player.state == PLAYER_WAITS;
+}
+
+/** @return Whether it still asks. */
+static bool is_asking(const App *app) {
+    return app->player.state == PLAYER_ASKS;
+}
+
 /** Says what the viewer can do instead of a command. */
 static void show_refusal(App *app) {
-    static const char *const words[] = {[PLAYER_RUNS] = N_("a lesson is played: Space holds it"),
-                                        [PLAYER_WAITS] = N_("a lesson is held: Space goes on"),
-                                        [PLAYER_ASKS] =
-                                            N_("a lesson asks: press the number of your answer")};
+    static const struct {
+        StatusHoldsFn *holds; /**< Until when it is so. */
+        const char *text;     /**< What to do. */
+    } refusals[] = {
+        [PLAYER_RUNS] = {is_running, N_("a lesson is played: Space holds it")},
+        [PLAYER_WAITS] = {is_held, N_("a lesson is held: Space goes on")},
+        [PLAYER_ASKS] = {is_asking, N_("a lesson asks: click your answer, or press its number")}};
     if (app->player.state <= PLAYER_ASKS) {
-        app_set_status(app, "%s", gettext(words[app->player.state]));
+        app_set_status_while(app, refusals[app->player.state].holds,
+                             refusals[app->player.state].text);
     }
 }
 

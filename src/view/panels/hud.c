@@ -56,7 +56,7 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
     /** A million rays. */
     const double million = 1e6;
     if (milliseconds > 0 && previous > 0) {
-        hud_add_row(hud, gettext("picture"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
+        hud_add_row(hud, gettext("picture"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
                     milliseconds - previous, milliseconds / previous);
     } else if (milliseconds > 0) {
         hud_add_row(hud, gettext("picture"), "%.1f ms", milliseconds);

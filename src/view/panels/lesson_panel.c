@@ -104,6 +104,15 @@ static void show_state(LessonPanel *panel) {
     }
 }
 
+/** Shows the button that leaves the lesson: a question, too, is left by the mouse. */
+static void show_leave(LessonPanel *panel) {
+    const char *label = gettext("✕ leave");
+    gui_same_line(label);
+    if (gui_step_button(label, gettext("leave the lesson — Esc"), true, false)) {
+        request(panel, LESSON_REQUEST_CLOSE, 0);
+    }
+}
+
 /** Shows buttons, and the title unless a question needs the room. */
 static void show_controls(LessonPanel *panel) {
     static const char back[] = "\xe2\x97\x80", on[] = "\xe2\x96\xb6\xe2\x96\xb6";
@@ -116,6 +125,7 @@ static void show_controls(LessonPanel *panel) {
         request(panel, LESSON_REQUEST_ON, 0);
     }
     show_list(panel);
+    show_leave(panel);
     show_state(panel);
     if (!panel->is_asking) { // There it would push the answers out of sight.
         gui_same_line(title);

@@ -22,7 +22,7 @@ typedef enum {
     LESSON_REQUEST_ANSWER, /**< An answer is chosen. */
     LESSON_REQUEST_NEXT,   /**< The next lesson. */
     LESSON_REQUEST_AGAIN,  /**< The same lesson from its beginning. */
-    LESSON_REQUEST_CLOSE   /**< The end card is closed. */
+    LESSON_REQUEST_CLOSE   /**< The lesson is left, or its end card is closed. */
 } LessonRequestKind;
 
 /** A request of the panel. */

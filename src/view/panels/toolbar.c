@@ -185,11 +185,25 @@ static void ray_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     ray_settings(toolbar, content);
 }
 
+/** The button of the list of scenes; dimmed while a lesson keeps to its scene, and says so. */
+static void scenes_button(Toolbar *toolbar, const ToolbarContent *content) {
+    const char *label = gettext("scenes");
+    if (content->is_playing || content->is_recording) {
+        gui_same_line(label);
+        gui_step_button(label,
+                        gettext(content->is_playing ? N_("a lesson plays: leave it first — Esc")
+                                                    : N_("a lesson is recorded: end it first")),
+                        false, false);
+    } else {
+        command_button(toolbar, content, label, "scenes", content->shows_scenes);
+    }
+}
+
 /** The widgets of the picture. */
 static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const char *const splits[SPLIT_COUNT] = {gettext("one picture"), gettext("side by side"),
                                              gettext("difference")};
-    command_button(toolbar, content, gettext("scenes"), "scenes", content->shows_scenes);
+    scenes_button(toolbar, content);
     layer_choice(toolbar, content);
     ray_settings(toolbar, content);
     picture_settings(toolbar, content);

@@ -36,6 +36,7 @@ typedef struct ToolbarContent {
     bool is_animated;               /**< Whether the scene depends on time. */
     bool is_running;                /**< Whether its time runs. */
     bool is_recording;              /**< Whether a lesson is recorded. */
+    bool is_playing;                /**< Whether a lesson plays. */
     bool shows_scenes;              /**< Whether the list of scenes is shown. */
     bool can_undo;                  /**< Whether a change can be taken back. */
     bool can_redo;                  /**< Whether one can be done again. */

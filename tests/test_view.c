@@ -972,7 +972,7 @@ static void test_times(void **state) {
     assert_non_null(strstr(title, "4 samples, 2156.8 ms,"));
     viewport.previous_render_seconds = 0.5;
     hud_update(&hud, &content, 2);
-    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, -168.3 (× 0.66)");
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, -168.3 (× 0.66)");
 }
 
 /** Settings that were tried have one point each; the front is what none beats in time and error. */

@@ -31,8 +31,8 @@ for scene in scenes/*.lua scenes/lessons/*.lua; do
         grep -q "^-- $language: " "$scene" || echo "$scene $language"
     done
 done >"$work/out"
-for scene in scenes/*.lua; do
-    grep -q '^-- fr name: ' "$scene" || echo "$scene"
+for scene in scenes/*.lua scenes/lessons/*.lua; do
+    grep -q '^lesson {' "$scene" || grep -q '^-- fr name: ' "$scene" || echo "$scene"
 done >>"$work/out"
 empty "$work/out" 'scenes are described in both languages, and have a French name'
 

@@ -122,7 +122,7 @@ typedef enum {
     GUI_COLOR_HEADING,                    /**< Headings. */
     GUI_COLOR_ERROR,                      /**< Errors. */
     GUI_COLOR_GROUP,                      /**< The first group of commands; the others follow. */
-    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 7 /**< Number of colours. */
+    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 8 /**< Number of colours. */
 } GuiColor;
 
 /** @return The colour of a group of commands. @param group From 1; beyond the last it begins anew.

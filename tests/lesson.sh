@@ -132,7 +132,7 @@ shots "$work/lesson.lua" "$work/quick"
 view_of() { sed 's/  -- .*//' <<<"$1"; }
 second=$(view_of "$(sed -n 2p "$work/quick/views")")
 with_bar=1 open "$box" --lesson "$work/lesson.lua"
-expect_shown '400×300.*finished' 'its own size'
+expect_shown '^Try — 400×300.*finished' 'its own title and size'
 xdotool key p
 expect_shown saved 'a snapshot of the first caption'
 same "$work/shots/box-0001.bmp" "$work/quick/lesson-0001.bmp" 'is that without hands'
@@ -217,6 +217,7 @@ within answered 5 && ok 'again: from the beginning' || fail "$(cat "$work/by-han
 xdotool key Escape && sleep 0.2
 ended "$pid" && fail 'Esc asks' || ok 'Esc asks'
 xdotool key Escape && sleep 0.3
+expect_shown '^box' 'then the title is the name of the scene'
 ended "$pid" && fail 'Esc again ends the lesson alone' || ok 'Esc again ends the lesson alone'
 leave
 

@@ -431,6 +431,52 @@ static void test_panels(void **state) {
     assert_true(app->exit.is_requested);
 }
 
+/** Presses a key, and lets it up. */
+static void press(SDL_Keycode key) {
+    for (int up = 0; up < 2; up++) {
+        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
+                                   .timestamp = SDL_GetTicks(),
+                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
+        input_handle_event(&opened.app, &event);
+    }
+}
+
+/** @return No scene. See #ViewPreviewLoader. */
+static Scene *load_nothing(void *context, const char *path, const atomic_bool *stop,
+                           RenderSettings *render, Error *error) {
+    (void)context, (void)path, (void)stop, (void)render;
+    error_set(error, STATUS_SCENE, "%s", "no picture");
+    return NULL;
+}
+
+/** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
+ *  there again. */
+static void test_help_over_list(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    if (!typeface_find()) {
+        skip();
+    }
+    opened.settings.preview = load_nothing;
+    const SDL_Keycode keys[] = {SDLK_F1, SDLK_ESCAPE};
+    for (size_t i = 0; i < COUNT(keys); i++) {
+        run("scenes");
+        press(SDLK_F1);
+        assert_true(window->help.is_open && window->browser.is_open);
+        press(SDLK_o);
+        SDL_Event typed = {.text = {.type = SDL_TEXTINPUT, .text = "o"}};
+        input_handle_event(&opened.app, &typed);
+        assert_string_equal(window->browser.filter, "");
+        press(keys[i]);
+        assert_true(!window->help.is_open && window->browser.is_open);
+        press(SDLK_F1);
+        run("scenes"); // Its button: the list that the help has covered.
+        assert_true(!window->help.is_open && window->browser.is_open);
+        press(SDLK_ESCAPE);
+        assert_false(window->browser.is_open || opened.app.exit.is_requested);
+    }
+}
+
 /** @return The name in the newest message, "saved NAME in FOLDER"; until the next call. */
 static const char *saved_name(void) {
     static char name[STATUS_TEXT_SIZE];
@@ -524,6 +570,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),
     };

@@ -229,6 +229,12 @@ static void test_keymap_help(void **state) {
     assert_string_equal(help_text_keys(&list, "this help: all keys"), "F1  H  ?");
     assert_string_equal(help_text_keys(&list, "the toolbar by keys: arrows, Enter; Esc: back"),
                         "Shift+F2");
+    // Those of a lesson are those of the commands that steer it.
+    assert_string_equal(help_text_keys(&list, "hold the lesson, or let it go on"), "Space");
+    assert_string_equal(help_text_keys(&list, "a step of the lesson back, on at once"), ",  .");
+    assert_string_equal(help_text_keys(&list, "answer its question; choose on its end card"),
+                        "1 to 9");
+    assert_string_equal(help_text_keys(&list, "leave the lesson: press twice"), "Esc");
     assert_string_equal(
         help_text_keys(&list, "show or hide camera, shadow, mirrored, refracted rays"),
         "Shift+1  Shift+2  Shift+3  Shift+4");
@@ -279,7 +285,7 @@ static void test_keyboard_labels(void **state) {
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 7);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 8);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -931,6 +937,44 @@ static void test_title(void **state) {
     assert_int_equal(strlen(title), TITLE_SIZE - 1);
 }
 
+/** @return What stands in the row of a panel that has a label. */
+static const char *hud_text(const Hud *hud, const char *label) {
+    for (size_t i = 0; i < hud->count; i++) {
+        if (strcmp(hud->rows[i].label, label) == 0) {
+            return hud->row_texts[i];
+        }
+    }
+    fail_msg("no row %s", label);
+    return "";
+}
+
+/** The panel tells the time until all pixels had a ray from that of the picture, which the title
+ *  has. */
+static void test_times(void **state) {
+    (void)state;
+    Error error = {0};
+    Viewport viewport = {.settings = {.engine = engine_find("f64x1", &error), .samples = 4},
+                         .report = {.seconds = 2.1568,
+                                    .rays = {.camera = 1000},
+                                    .stride = 1,
+                                    .samples = 4,
+                                    .is_finished = true},
+                         .render_seconds = 0.3317};
+    const HudContent content = {.viewport = &viewport, .shows_settings = true};
+    const TitleContent title_content = {
+        .name = "box", .width = 8, .height = 6, .status_text = "", .report = &viewport.report};
+    Hud hud = {0};
+    char title[TITLE_SIZE];
+    hud_update(&hud, &content, 1);
+    title_write(&title_content, title);
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms");
+    assert_string_equal(hud_text(&hud, "in all"), "2156.8 ms");
+    assert_non_null(strstr(title, "4 samples, 2156.8 ms,"));
+    viewport.previous_render_seconds = 0.5;
+    hud_update(&hud, &content, 2);
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, -168.3 (× 0.66)");
+}
+
 /** Settings that were tried have one point each; the front is what none beats in time and error. */
 static void test_settings_chart(void **state) {
     (void)state;
@@ -1039,7 +1083,7 @@ static void test_readout(void **state) {
                               "colour 1 2 3 of 255");
     readout.samples = 16;
     pixel_readout_write(&readout, text);
-    assert_non_null(strstr(text, "of 255 (mean of 16 samples)"));
+    assert_non_null(strstr(text, "of 255 (mean of up to 16 samples)"));
     readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
     readout.readings[0].values[0] = 2;
     readout.readings[1].values[0] = 2.5;
@@ -1474,7 +1518,6 @@ static void test_keymap_ctrl(void **state) {
     assert_string_equal(command_find_key(command_table, plain, false)->name, "light nearer");
 }
 
-/** Runs the tests. @return Number of failed tests. */
 /** Gives SDL a keyboard, which is a US one without a screen. */
 static int start_keyboard(void **state) {
     (void)state;
@@ -1482,6 +1525,7 @@ static int start_keyboard(void **state) {
     return SDL_InitSubSystem(SDL_INIT_VIDEO);
 }
 
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_tap),
@@ -1516,6 +1560,7 @@ int main(void) {
         cmocka_unit_test(test_view_state_vertical),
         cmocka_unit_test(test_scene_text),
         cmocka_unit_test(test_title),
+        cmocka_unit_test(test_times),
         cmocka_unit_test(test_magnifier),
         cmocka_unit_test(test_settings_chart),
         cmocka_unit_test(test_error_meter),

@@ -32,5 +32,6 @@ end
 -- A white ball in the air: its shadows lie on the wall.
 sphere { center = {0, 2.9, 0.4}, radius = 0.4, material = white }
 
+-- fr name: couleurs pures
 -- en: Five balls of pure colours, under one to three lamps of pure colours.
 -- fr: Cinq boules de couleurs pures, sous une à trois lampes de couleurs pures.

@@ -73,5 +73,6 @@ end
 
 if stage < spacial then drawing() else space() end
 
+-- fr name: avancer pas à pas
 -- en: How a ray advances step by step: first in the plane, then in space.
 -- fr: Comment un rayon avance pas à pas : d’abord dans le plan, puis dans l’espace.

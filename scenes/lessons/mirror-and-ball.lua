@@ -32,5 +32,6 @@ end
 sphere { center = {1.5, 0.9, 0.6}, radius = 0.9,
          material = material { transparency = 0.96, ior = 1.5, specular = 1, shininess = 400 } }
 
+-- fr name: miroir et boule
 -- en: A mirror on the wall, a ball of glass, and things to see in both.
 -- fr: Un miroir au mur, une boule de verre, et des objets à y voir.

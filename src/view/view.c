@@ -102,6 +102,14 @@ static void run_requested_command(App *app) {
     *rays = (RayViewRequest){0};
 }
 
+/** @return The name of what is shown: the title of the lesson, else the name of the scene. */
+static const char *shown_name(const App *app) {
+    const bool is_french = language_is_french();
+    const Lesson *lesson = app->player.lesson;
+    const char *title = lesson ? lesson_text_localized(&lesson->title, is_french) : "";
+    return title[0] != '\0' ? title : app->source.labels[is_french];
+}
+
 /** Updates the title. */
 static void update_title(App *app, double now) {
     const Window *window = &app->window;
@@ -111,7 +119,7 @@ static void update_title(App *app, double now) {
     }
     // Times and rays of other settings would be read as those of the new ones.
     bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
-    TitleContent content = {.name = app->source.labels[language_is_french()],
+    TitleContent content = {.name = shown_name(app),
                             .width = viewport->width,
                             .height = viewport->height,
                             .report = has_report ? &viewport->report : NULL,

@@ -324,13 +324,14 @@ void action_switch_language(App *app, int argument) {
 
 void action_browse_scenes(App *app, int argument) {
     (void)argument;
+    const bool was_covered = app->window.help.is_open;
     app->window.help.is_open = false; // It would cover the list.
-    if (app->window.browser.is_open) {
-        browser_close(&app->window.browser);
-        window_present(&app->window);
-    } else {
+    if (!app->window.browser.is_open) {
         current_scene_browse(app);
+    } else if (!was_covered) {
+        browser_close(&app->window.browser);
     }
+    window_present(&app->window);
 }
 
 void action_toggle_recording(App *app, int argument) {

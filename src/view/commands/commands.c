@@ -43,6 +43,8 @@
 #define OBJECTS .group = N_("Objects")
 /** Heading of the help: keys of the ray tree. */
 #define RAYS .group = N_("Rays of one pixel")
+/** Heading of the help: what keys do while a lesson plays. */
+#define LESSON .group = N_("Lesson, while it plays")
 /** Heading of the help: all other keys. */
 #define PROGRAM .group = N_("Program")
 
@@ -155,6 +157,13 @@ const Command command_table[] = {
     {"hit microscope", {ONLY_PLACE(8, "8")}, NULL, RAYS, RAY_DRAWINGS, .flags = COMMAND_SHIFT, RUNS(action_toggle_ray_pane, RAY_PANE_MICROSCOPE)},
     {NULL, {NO_KEY("←↑↓→")}, NULL, RAYS, .help = N_("around the rays; or the mouse")},
     {NULL, {NO_KEY(N_("Page Up")), NO_KEY(N_("Page Down"))}, NULL, RAYS, .help = N_("scroll their formulas (Shift: nearer, farther)")},
+
+    {.keys_of = "time", LESSON, .help = N_("hold the lesson, or let it go on")},
+    {.keys_of = "time back", LESSON, .help = N_("a step of the lesson back, on at once")},
+    {.keys_of = "time on", LESSON, .help = N_("a step of the lesson back, on at once")},
+    {NULL, {NO_KEY(N_("1 to 9"))}, NULL, LESSON, .help = N_("answer its question; choose on its end card")},
+    {NULL, {NO_KEY(N_("Click"))}, NULL, LESSON, .help = N_("an answer; 2/9: any step; ✕: leave")},
+    {.keys_of = "leave", LESSON, .help = N_("leave the lesson: press twice")},
 
     {NULL, {ONLY_PLACE(LSHIFT, N_("Shift")), ONLY_PLACE(RSHIFT, "")}, N_("fast"), PROGRAM, .help = N_("held with a move: fast, fine")},
     {NULL, {ONLY_PLACE(LCTRL, N_("Ctrl")), ONLY_PLACE(RCTRL, "")}, N_("fine"), PROGRAM, .help = N_("held with a move: fast, fine")},

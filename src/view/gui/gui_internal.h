@@ -32,7 +32,8 @@ constexpr ImU32 PALETTE[GUI_COLOR_COUNT] = {
     IM_COL32(240, 240, 240, 255), IM_COL32(150, 156, 170, 255), IM_COL32(255, 205, 90, 255),
     IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(255, 205, 90, 255),
     IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),  IM_COL32(255, 145, 110, 255),
-    IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(215, 225, 120, 255)};
+    IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(165, 155, 255, 255),
+    IM_COL32(215, 225, 120, 255)};
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = PALETTE[GUI_COLOR_ACCENT];
 /** Colour of outlines on the picture: seen on light and dark ground. */
@@ -66,6 +67,7 @@ struct Gui {
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     ImRect list_opener;       /**< The widget that has opened the list. */
     ImRect silenced;          /**< The widget that was clicked, until the mouse leaves it. */
+    bool has_whole_lines;     /**< Whether the present panel shows no part of a line. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
 };
@@ -93,6 +95,10 @@ void record_right_label(const char *label);
 
 /** @return The size of a text. @param width Width of lines; 0: they are not broken. */
 ImVec2 text_extent(const char *text, float width);
+
+/** @return Whether a line of text is shown: in a list only if it is not cut. @param top Its upper
+ * end. */
+bool is_line_shown(const ImDrawList *list, float top);
 
 /** Writes a text. @param width See #text_extent. @return Its size. */
 ImVec2 put_text(ImDrawList *list, ImVec2 corner, float width, ImU32 color, const char *text);

@@ -28,11 +28,31 @@ static void apply_browser_result(App *app, BrowserResult result) {
     window_present(&app->window);
 }
 
+/** Handles the help over the list of scenes: F1 opens it, F1 and Esc close it, and the list is there
+ *  again. @return Whether the event was for the help. */
+static bool handle_help_over_list(App *app, const SDL_Event *event) {
+    Help *help = &app->window.help;
+    const SDL_Keycode key = event->type == SDL_KEYDOWN ? event->key.keysym.sym : SDLK_UNKNOWN;
+    const bool was_open = help->is_open;
+    if (key == SDLK_F1 || (was_open && key == SDLK_ESCAPE)) {
+        command_issue(app, command_find(app->commands, "help"), clock_now_seconds());
+    } else if (was_open && key != SDLK_UNKNOWN) {
+        help_handle_key(help, key); // No other key: it would do something below the list.
+    }
+    if (was_open) {
+        gui_request_frames(app->window.gui);
+    }
+    return key == SDLK_F1 || (was_open && (key != SDLK_UNKNOWN || event->type == SDL_TEXTINPUT));
+}
+
 /** Handles an event while the list of scenes is open. @return Whether it was for the list. */
 static bool handle_browser_event(App *app, const SDL_Event *event) {
     Browser *browser = &app->window.browser;
     if (!browser->is_open) {
         return false;
+    }
+    if (handle_help_over_list(app, event)) {
+        return true;
     }
     switch (event->type) {
     case SDL_KEYDOWN:

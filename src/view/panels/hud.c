@@ -49,19 +49,21 @@ static double lacking_percent(const RayCounts *rays) {
     return 100 * (double)rays->unresolved / (double)rays->camera;
 }
 
-/** Adds the time of a picture, and the cost of the last change. */
+/** Adds the time until all pixels had a ray, which changes are compared by, as it is known soonest;
+ *  and that of the finished picture, which the title has. */
 static void add_cost(Hud *hud, const Viewport *viewport) {
     double milliseconds = viewport->render_seconds * 1e3,
            previous = viewport->previous_render_seconds * 1e3;
     /** A million rays. */
     const double million = 1e6;
     if (milliseconds > 0 && previous > 0) {
-        hud_add_row(hud, gettext("picture"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
+        hud_add_row(hud, gettext("first pass"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
                     milliseconds - previous, milliseconds / previous);
     } else if (milliseconds > 0) {
-        hud_add_row(hud, gettext("picture"), "%.1f ms", milliseconds);
+        hud_add_row(hud, gettext("first pass"), "%.1f ms", milliseconds);
     }
     if (viewport->report.is_finished) {
+        hud_add_row(hud, gettext("in all"), "%.1f ms", viewport->report.seconds * 1e3);
         double rays = (double)ray_counts_sum(&viewport->report.rays) / million;
         hud_add_row(hud, gettext("rays"), gettext("%.3g million"), rays);
         if (viewport->report.rays.unresolved > 0) {

@@ -42,7 +42,7 @@ enum { TITLE_SIZE = 512 };
 
 /** The content of the title. */
 typedef struct TitleContent {
-    const char *name;          /**< Name of the scene. */
+    const char *name;          /**< Name of the scene or the lesson. */
     int width;                 /**< Pixels of the picture. */
     int height;                /**< Pixels of the picture. */
     const RenderStats *report; /**< The newest pass; NULL: none yet. */

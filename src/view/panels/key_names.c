@@ -100,6 +100,9 @@ static bool add_chord(const Help *help, const Command *command, const CommandKey
 
 int help_key_names(const Help *help, const Command *command, char *text, size_t size) {
     int count = 0;
+    if (command->keys_of) {
+        command = command_find(help->commands, command->keys_of);
+    }
     for (int i = 0; i < COMMAND_KEYS; i++) {
         const CommandKey *key = &command->keys[i];
         if (!key->is_spare || count == 0) {

@@ -50,6 +50,7 @@ typedef struct Command {
     const char *cap;                     /**< What it does, in a word, for the drawn keyboard, in
                                               English; NULL: #help. */
     const char *group; /**< Heading of the help above it; NULL: not in the help. */
+    const char *keys_of; /**< Command whose keys it has in the help; NULL: its own. */
     const char *help;  /**< What it does, in English. Neighbours with equal texts
                             share a row of the help. */
     unsigned flags;    /**< See #CommandFlags. */

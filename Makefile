@@ -451,12 +451,14 @@ pot:
 	done
 
 # --- gallery -------------------------------------------------------------------------------------
+# The page of all scenes, and the pictures of the window that the READMEs show.
 .PHONY: gallery
 gallery: packages
-	@.ci/packages imagemagick
+	@.ci/packages imagemagick xdotool xvfb
 	@$(MAKE) --no-print-directory all
 	@BUILD=$(BUILD) doc/gallery.sh
 	@echo doc/gallery.md
+	@BUILD=$(BUILD) doc/window.sh
 
 # --- style ---------------------------------------------------------------------------------------
 C_FILES := $(shell find include src tests -name '*.[ch]' -o -name '*.cpp')

@@ -37,6 +37,9 @@ wrong "$begin ask { en = \"x\", $choices, right = 0 }" '1: right must be at leas
 wrong "$begin ask { en = \"x\", $choices, right = 1 }" '1: because must be text, not nothing'
 wrong "$begin for i = 1, 65 do ask { en = \"x\", $choices, right = 1, because = \"y\" } end" \
     '1: a lesson may have at most 64 questions'
+wrong "$begin explain()" '1: no question is open here: .*'
+wrong "$begin ask { en = \"x\", $choices, right = 1, because = \"y\" } explain() explain()" '1: no question is open here: .*'
+wrong "$begin explain(1)" '1: it is called so: explain\(\)'
 wrong "lesson { scene = \"$box\", learnt = \"x\" }" '1: learnt must be a list, not a string'
 wrong "lesson { scene = \"$box\", learnt = {1, 2, 3, 4, 5, 6, 7} }" '1: learnt must be a list of 0 to 6 texts, not of 7'
 wrong "$begin wiat(1)" '1: unknown word `wiat`; did you mean `wait`\?'
@@ -176,6 +179,17 @@ shots "$work/asks.lua" "$work/other" --answers "$work/right.csv" --predictions 3
 same "$work/right/asks-0003.bmp" "$work/other/asks-0003.bmp" 'whatever was predicted, the same is shown'
 expect 2 "predictions takes digits from 1 to 9, not '0'" 'no choice 0' "$dioptre" view --lesson "$work/asks.lua" --predictions 0
 expect 1 'cannot write' 'answers into a folder' timeout 60 "$dioptre" view "$work/asks.lua" --answers "$work"
+# Where `explain()` stands, the camera is still as the question had it moved; at the caption it is back.
+cat >"$work/explained.lua" <<END
+lesson { scene = "$box", size = {400, 300}, samples = 1, title = "Try" }
+ask { en = "Where?", choices = { "a", "b" }, right = 2, because = "So." }
+turn(20, 0)
+explain()
+press "home"
+caption { en = "Back", wait = true }
+END
+shots "$work/explained.lua" "$work/explained"
+cmp -s "$work/explained/explained-0001.bmp" "$work/explained/explained-0002.bmp" && fail "explained after the view was reset" || ok "explained before the view is reset"
 last=$(view_of "$(tail -1 "$work/right/views")")
 with_bar=1 open "$work/asks.lua" --answers "$work/by-hand.csv"
 xdotool key space d && sleep 0.2 # Neither goes on, nor moves the light.

@@ -538,6 +538,22 @@ static void test_window_events(void **state) {
 }
 
 /** @return 0 if all tests pass. */
+/** What a command changes is drawn without an event: a list of the toolbar may have been the last
+ *  thing that the mouse did. */
+static void test_drawn_without_event(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const Viewport *viewport = &app->window.viewports[0];
+    static const char *const changes[] = {"offset", "layer normals", "deeper", "as at first"};
+    double now = clock_now_seconds();
+    for (size_t i = 0; i < COUNT(changes); i++) {
+        assert_true(viewport_timeout(viewport, now) > 0);
+        run(changes[i]);
+        assert_true(viewport_timeout(viewport, now) == 0);
+        assert_true(settle());
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
@@ -554,6 +570,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),
     };

@@ -16,6 +16,7 @@
 #include "view/panels/lesson_panel.h"
 #include "view/state/clocks.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -269,6 +270,53 @@ static void test_steps(void **state) {
     }
 }
 
+/** @return Whether a step before an explanation takes what it explains off the screen. */
+static bool hides_answer(const LessonStep *step, const char *const *names, bool *shows_rays) {
+    if (step->kind == LESSON_PIXEL) {
+        *shows_rays = true;
+    }
+    if (step->kind != LESSON_PRESS) {
+        return false;
+    }
+    const char *name = names[step->action];
+    bool closes_rays = strcmp(name, "rays") == 0 && *shows_rays;
+    *shows_rays ^= strcmp(name, "rays") == 0;
+    return closes_rays || strcmp(name, "home") == 0 || strcmp(name, "as at first") == 0;
+}
+
+/** In all lessons that come with dioptre, what was asked about is on the screen until the answer is
+ *  explained. */
+static void test_explained_in_view(void **state) {
+    (void)state;
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    char path[PATH_MAX] = "scenes/lessons/01-shadows.lua", next[PATH_MAX];
+    int explanations = 0;
+    bool has_next = true;
+    while (has_next) {
+        Error error = {0};
+        Lesson *lesson = script_load_lesson(path, &actions, &error);
+        if (!lesson) {
+            fail_msg("%s", error.message);
+        }
+        bool is_open = false, shows_rays = false;
+        for (size_t i = 0; i < lesson->count; i++) {
+            const LessonStep *step = &lesson->steps[i];
+            bool hides = hides_answer(step, names, &shows_rays);
+            if (is_open && hides) {
+                fail_msg("%s: step %zu hides what question %d is about", path, i + 1,
+                         explanations + 1);
+            }
+            explanations += step->kind == LESSON_EXPLAIN;
+            is_open = step->kind == LESSON_ASK || (is_open && step->kind != LESSON_EXPLAIN);
+        }
+        lesson_destroy(lesson);
+        has_next = lesson_file_next(path, next);
+        memcpy(path, next, sizeof path);
+    }
+    assert_true(explanations >= 36);
+}
+
 /** The scene of a recorded lesson is named as seen from its folder. */
 static void test_relative_paths(void **state) {
     (void)state;
@@ -297,6 +345,7 @@ int main(void) {
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_questions),
         cmocka_unit_test_setup_teardown(test_steps, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test(test_explained_in_view),
         cmocka_unit_test(test_relative_paths),
         cmocka_unit_test(test_lesson_files)};
     return cmocka_run_group_tests(tests, NULL, NULL);

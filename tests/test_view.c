@@ -1095,7 +1095,7 @@ static void test_readout(void **state) {
                               "left minus right: -0.5 scene units");
     readout.readings[1].layer = LAYER_RAYS;
     pixel_readout_difference(readout.readings, text);
-    assert_string_equal(text, "two layers: no difference");
+    assert_string_equal(text, "two different layers are not compared");
     readout.readings[0].shape = 3;
     pixel_readout_write(&readout, text);
     assert_non_null(strstr(text, "quadrilateral 4 (line 24 of the scene)"));

@@ -29,14 +29,17 @@ local eye = {
     fr = "Ni la lampe ni la boule n’ont bougé : ce sont les mêmes endroits du sol qui manquent de lumière. Seul notre point de vue a changé." },
 }
 
+speed(0.25) -- Slowly, so that a class can follow.
 caption { wait = true,
   en = "A ball, a sheet, and one lamp, which is above us to the right. Where light is missing, there is shadow.",
   fr = "Une boule, une feuille et une seule lampe, au-dessus de nous à droite. Là où la lumière manque, il y a de l’ombre." }
 
 ask(eye)
-hold("camera right", 0.14)
+hold("camera right", 0.56)
 wait(0.3)
-hold("camera up", 0.1)
+hold("camera up", 0.4)
+wait(0.3)
+explain()
 press "home"
 caption { wait = true, en = "Back to our first place.", fr = "Revenons au point de départ." }
 
@@ -53,7 +56,7 @@ ask {
     en = "The shadow lies behind the ball, seen from the lamp. When the lamp goes left, behind is on the right.",
     fr = "Vue de la lampe, l’ombre est derrière la boule. Quand la lampe va à gauche, « derrière » passe à droite." },
 }
-hold("light left", 0.5)
+hold("light left", 2)
 wait(0.5)
 
 ask {
@@ -69,8 +72,9 @@ ask {
     en = "Light that comes flat meets the floor far behind the ball: as in the evening, when the sun is low.",
     fr = "La lumière rasante ne retrouve le sol que loin derrière la boule : comme le soir, quand le soleil est bas." },
 }
-hold("light down", 0.25)
+hold("light down", 1)
 wait(0.5)
+explain()
 press "home"
 caption { wait = true, en = "Everything as at first. Let us look at one place of the floor.",
           fr = "Tout est remis comme au début. Regardons maintenant un seul endroit du sol." }
@@ -90,6 +94,7 @@ ask {
 }
 pixel(0.2, 0.8)
 wait(0.5)
+explain()
 pixel(0.6, 0.9)
 caption { wait = true,
   en = "And here, in the light, the way is free. So the lamp's light counts for this pixel.",
@@ -97,6 +102,6 @@ caption { wait = true,
 press "rays"
 
 ask(eye)
-hold("camera right", 0.14)
+hold("camera right", 0.56)
 wait(0.3)
-hold("camera up", 0.1)
+hold("camera up", 0.4)

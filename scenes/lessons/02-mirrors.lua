@@ -35,6 +35,7 @@ local function look()
   zoom(5)
 end
 
+speed(0.25) -- Slowly, so that a class can follow.
 look()
 caption { wait = true,
   en = "A ball, a cube, and a mirror in a frame. The mirror is still switched off: it sends no ray on.",
@@ -61,6 +62,7 @@ ask {
 }
 pixel(0.5, 0.35)
 wait(0.5)
+explain()
 press "rays"
 caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
 
@@ -77,9 +79,11 @@ ask {
     en = "A mirror is like a window into a second room: who goes left sees more of its right.",
     fr = "Un miroir est comme une fenêtre sur une seconde pièce : en allant à gauche, on voit mieux sa partie droite." },
 }
-hold("camera left", 0.3)
+hold("camera left", 1.2)
 wait(1)
-hold("camera right", 0.6)
+explain()
+hold("camera right", 2.4)
+wait(0.3)
 caption { wait = true, en = "And from the right we see more of what is on the left.",
           fr = "Et depuis la droite, on voit mieux ce qui est à gauche." }
 press "home"

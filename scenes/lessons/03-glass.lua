@@ -51,6 +51,7 @@ ask {
 }
 pixel(0.6, 0.4)
 wait(0.5)
+explain()
 press "rays"
 caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
 

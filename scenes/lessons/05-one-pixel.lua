@@ -51,6 +51,7 @@ ask {
 }
 press "rays"
 wait(0.5)
+explain()
 press "rays"
 caption { wait = true, en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
           fr = "Maintenant, un pixel de la boule rouge. Elle est brillante : elle réfléchit une partie de la lumière." }

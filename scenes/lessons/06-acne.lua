@@ -53,6 +53,7 @@ press "layer normals"
 wait(0.7)
 press "layer light"
 wait(1)
+explain()
 press "layer acne"
 caption { wait = true,
   en = "This layer marks each pixel whose shadow ray has met its own surface, and counts them.",

@@ -72,6 +72,7 @@ end
 turn(10, 5)
 zoom(8)
 wait(0.5)
+explain()
 press "home"
 caption { wait = true, en = "Back to our first view. Now let us count rays.",
           fr = "Retour à notre première vue. Comptons maintenant les rayons." }
@@ -91,6 +92,7 @@ ask {
 }
 press "layer rays"
 wait(1)
+explain()
 press "as at first"
 caption { wait = true, en = "Once more from the beginning: depth 0.", fr = "Reprenons du début : profondeur 0." }
 ask(second)

@@ -51,6 +51,7 @@ ask {
 }
 press "time on"
 wait(0.5)
+explain()
 for i = 3, 9 do
   press "time on"
   wait(0.5)
@@ -76,6 +77,7 @@ ask {
 }
 press "layer steps"
 wait(1)
+explain()
 press "layer light"
 caption { wait = true, en = "What is still missing? All is flat: there is no light.",
           fr = "Que manque-t-il encore ? Tout est plat : il n’y a pas de lumière." }

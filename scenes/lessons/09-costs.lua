@@ -53,6 +53,7 @@ for i = 1, 4 do
   press "samples twice"
   wait(0.7)
 end
+explain()
 press "home"
 caption { wait = true, en = "But more rays cost time. Let us see where they go.",
           fr = "Mais plus de rayons prennent plus de temps. Voyons où ils vont." }
@@ -79,6 +80,7 @@ ask {
 }
 for i = 1, 5 do press "less deep" end
 wait(1)
+explain()
 press "as at first"
 caption { wait = true,
   en = "Numbers cost time, too: float knows 7 digits, double 16, and double takes longer.",

@@ -304,7 +304,7 @@ static bool start_invalidated(Window *window, const Scene *scene, double now, Er
     bool ok = true;
     for (size_t i = 0; i < window_viewport_count(window); i++) {
         Viewport *viewport = &window->viewports[i];
-        if (viewport->needs_restart && !viewport->awaits_first_frame) {
+        if (viewport_is_start_due(viewport)) {
             latency_on_draw_started(&window->latency);
             ray_view_invalidate(&window->ray_view);
             ok = viewport_start(viewport, scene, picture.w, picture.h, now, error) && ok;

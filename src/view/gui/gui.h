@@ -560,8 +560,9 @@ bool gui_edit_choice(const char *label, double *number, const char *const *words
 /** @return Whether the user holds a widget, or types into one. */
 bool gui_is_editing(void);
 
-/** Draws a line on the picture: a part of the outline of what is selected. */
-void gui_outline_line(GuiPoint from, GuiPoint to);
+/** Draws a line on the picture: a part of the outline of what is selected. @param picture Where the
+ *  picture is; what leaves it is not drawn. */
+void gui_outline_line(GuiPoint from, GuiPoint to, const GuiRect *picture);
 
 #ifdef __cplusplus
 }

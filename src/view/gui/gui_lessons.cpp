@@ -6,6 +6,8 @@
 
 namespace {
 
+/** Width of a card's border, pixels. */
+constexpr float CARD_BORDER = 2;
 /** Width of cards and of lists of steps, in heights of letters. */
 constexpr float CARD_WIDTH = 32;
 /** Width of a panel from which answers stand side by side, in heights of letters. */
@@ -77,13 +79,17 @@ void gui_card_begin(const char *id) {
                                         ImVec2(width, fmaxf(letter, display.y - letter)));
     ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    // It lies half on the picture, half on the black of the lesson's panel.
+    ImGui::PushStyleColor(ImGuiCol_Border, PALETTE[GUI_COLOR_FAINT]);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, CARD_BORDER);
     // The height is whole pixels, that of the text is not: no scroll bar for less than one.
     const ImGuiWindow *card = ImGui::FindWindowByName(id);
     bool is_whole = card && card->ContentSize.y + 2 * letter < display.y;
     ImGui::Begin(id, nullptr,
                  PANEL_FLAGS | ImGuiWindowFlags_AlwaysAutoResize |
                      (is_whole ? ImGuiWindowFlags_NoScrollbar : 0));
-    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
 }
 
 void gui_item(const char *text) {
@@ -112,6 +118,7 @@ bool gui_step_list_entry(size_t index, const char *text, bool is_present) {
     bool is_clicked = ImGui::Selectable("##entry", is_present);
     if (is_present && ImGui::IsWindowAppearing()) {
         ImGui::SetScrollHereY();
+        gui_request_frames(current_gui()); // It moves in the next one.
     }
     ImGui::SameLine(0, 0);
     if (is_present) {

@@ -312,9 +312,12 @@ bool gui_is_editing() {
     return ImGui::IsAnyItemActive();
 }
 
-void gui_outline_line(GuiPoint from, GuiPoint to) {
-    draw_outlined_line(ImGui::GetBackgroundDrawList(), ImVec2(from.x, from.y), ImVec2(to.x, to.y),
-                       ACCENT, 1.5F);
+void gui_outline_line(GuiPoint from, GuiPoint to, const GuiRect *picture) {
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    list->PushClipRect(ImVec2(picture->x, picture->y),
+                       ImVec2(picture->x + picture->width, picture->y + picture->height), true);
+    draw_outlined_line(list, ImVec2(from.x, from.y), ImVec2(to.x, to.y), ACCENT, 1.5F);
+    list->PopClipRect();
 }
 
 } // extern "C"

@@ -244,6 +244,7 @@ GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float 
     ImGui::PopID();
     if (thumbnail->scrolls_to_it) {
         ImGui::SetScrollHereY();
+        gui_request_frames(current_gui()); // It moves in the next one.
     }
     *is_seen = ImGui::IsItemVisible();
     if (*is_seen) {

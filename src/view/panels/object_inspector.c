@@ -331,6 +331,8 @@ void object_inspector_outline(const ObjectInspector *inspector, const Scene *sce
     if (!aabbd_is_bounded(box)) {
         return;
     }
+    const GuiRect area = {(float)picture->x, (float)picture->y, (float)picture->w,
+                          (float)picture->h};
     for (int corner = 0; corner < 8; corner++) {
         for (int axis = 1; axis < 8; axis *= 2) {
             Vec3d ends[2];
@@ -344,7 +346,7 @@ void object_inspector_outline(const ObjectInspector *inspector, const Scene *sce
                 is_ahead = picture_point(&scene->camera, picture, ends[i], &places[i]) && is_ahead;
             }
             if (!(corner & axis) && is_ahead) {
-                gui_outline_line(places[0], places[1]);
+                gui_outline_line(places[0], places[1], &area);
             }
         }
     }

@@ -69,7 +69,7 @@ static void append_difference(const PixelReading *a, const PixelReading *b,
     }
     bool is_binary = a->layer == LAYER_SHAPES || a->layer == LAYER_ACNE;
     if (a->layer != b->layer) {
-        append(text, "%s", gettext("two layers: no difference"));
+        append(text, "%s", gettext("two different layers are not compared"));
     } else if (a->layer == LAYER_SHADED) {
         append(text, gettext("left minus right: %+d %+d %+d"), a->rgb[0] - b->rgb[0],
                a->rgb[1] - b->rgb[1], a->rgb[2] - b->rgb[2]);

@@ -97,7 +97,7 @@ bool settings_chart_panel_update(SettingsChartPanel *panel, const Viewport *view
 static void write_notes(const SettingsChartPanel *panel, char notes[2][NOTE_SIZE]) {
     snprintf(
         notes[0], NOTE_SIZE,
-        gettext("Time: of this picture. Error: of one of %d pixels, against %d samples in double."),
+        gettext("Time: of this picture. Error: of a picture of %d pixels, against %d samples in double."),
         ERROR_METER_PIXELS, ERROR_METER_SAMPLES);
     if (panel->meter.is_busy) {
         char name[SETTINGS_NAME_SIZE];

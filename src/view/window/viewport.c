@@ -154,8 +154,15 @@ bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer) {
     return true;
 }
 
+bool viewport_is_start_due(const Viewport *viewport) {
+    return viewport->needs_restart && !viewport->awaits_first_frame;
+}
+
 double viewport_timeout(const Viewport *viewport, double now) {
     bool is_coarse_waiting = viewport->has_new_pass && viewport->awaits_first_frame;
+    if (viewport_is_start_due(viewport)) {
+        return 0;
+    }
     return is_coarse_waiting ? fmax(0, viewport->start_time + coarse_wait(viewport) - now)
                              : VIEWPORT_NO_TIMEOUT;
 }

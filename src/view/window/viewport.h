@@ -91,7 +91,11 @@ bool viewport_has_frame(Viewport *viewport, double now);
 /** Copies the newest pass to the texture. @return false if SDL failed. */
 bool viewport_upload(Viewport *viewport, SDL_Renderer *renderer);
 
-/** @return Seconds until a coarse pass is to be shown. */
+/** @return Whether the next frame starts to draw: something has changed, and what was drawn last is
+ *  on screen. */
+bool viewport_is_start_due(const Viewport *viewport);
+
+/** @return Seconds until a coarse pass is to be shown; 0: a picture is to be started. */
 double viewport_timeout(const Viewport *viewport, double now);
 
 /** @return Whether the picture on screen is the last pass of the scene as it is now. */

@@ -190,8 +190,8 @@ TEST_PACKAGES := libcmocka-dev clang libclang-rt-14-dev xvfb xauth xdotool x11-x
 COVERAGE_PACKAGES := gcovr
 BENCH_PACKAGES := gnuplot-nox valgrind binutils
 PEER_PACKAGES := povray tachyon libembree-dev libgl-dev libgl1-mesa-dri xvfb xauth
-WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev linux-libc-dev gettext fonts-dejavu-core fonttools
-WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman
+WEB_PACKAGES  := patch emscripten clang-14 clang-19 llvm-19 dpkg-dev libstb-dev rapidjson-dev libutfcpp-dev linux-libc-dev gettext fonts-dejavu-core fonttools
+WEB_LIBRARY_SOURCES := libsdl2 lua5.4 libjpeg-turbo imgui cairo pixman assimp
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 
 .PHONY: packages test-packages

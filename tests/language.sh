@@ -19,9 +19,10 @@ for po in src/po/*.po; do
     msgattrib --only-obsolete "$po" >"$work/out"
     empty "$work/out" "$po has nothing that is gone"
 done
-# A no-break space is shown as ~: it belongs before : ; ? ! and within « ».
+# A no-break space is shown as ~: it belongs before : ; ? ! % and within « ».
 msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
 grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*s'|« | »" "$work/french" >"$work/out"
+{ grep -E '%[0-9.]*[a-z]+ %%' "$work/french"; grep -nE '\bfr = ".*[0-9] %' scenes/*.lua scenes/lessons/*.lua; } >>"$work/out"
 empty "$work/out" 'French signs have their no-break space'
 { grep "'" "$work/french"; grep -nE "\\bfr = \"[^\"]*'|^-- fr( name)?: .*'" scenes/*.lua scenes/lessons/*.lua; } >"$work/out"
 empty "$work/out" "French apostrophes are typographic: ’"

@@ -79,6 +79,7 @@ static void test_numbers(void **state) {
         {"(0.5, -1, 2.25)", "(0,5\xc2\xa0; -1\xc2\xa0; 2,25)"},
         {"(inf, nan, 1)", "(inf\xc2\xa0; nan\xc2\xa0; 1)"},
         {"n (4, 5), 6, 7", "n (4\xc2\xa0; 5), 6, 7"},
+        {"1) (0.5, 2)", "1) (0,5\xc2\xa0; 2)"},
         {"(u, v): 1, 2.5", "(u, v): 1, 2,5"},
         {"end 3. Then .5 a.b 1.x", "end 3. Then .5 a.b 1.x"},
         {"", ""},

@@ -11,11 +11,10 @@ static void check_help(Fixture *fixture) {
     fixture->window.help.is_open = false;
 }
 
-/** Checks the settings and the legends of all layers. */
-static void check_legends(Fixture *fixture) {
+/** Checks the legends of all layers. */
+static void check_layers(Fixture *fixture) {
     Window *window = &fixture->window;
     RenderStats *report = &window->viewports[0].report;
-    window->shows_settings = true;
     for (int layer = 0; layer < LAYER_COUNT; layer++) {
         report->layer.layer = (Layer)layer;
         report->layer.pixel_count = 480000;
@@ -25,8 +24,35 @@ static void check_legends(Fixture *fixture) {
         check_frame(fixture, layer_name((Layer)layer), 4);
     }
     report->layer.layer = LAYER_SHADED;
+}
+
+/** Checks the settings and the legends of all layers. */
+static void check_legends(Fixture *fixture) {
+    Window *window = &fixture->window;
+    window->shows_settings = true;
+    check_layers(fixture);
     window->shows_settings = false;
     window_invalidate_text(window);
+}
+
+/** Checks the legends of all layers beside the inspector of a thing at the left, and at the right.
+ */
+static void check_legends_beside(Fixture *fixture) {
+    Window *window = &fixture->window;
+    EditHistory edits = {0};
+    bool is_light_moved[8] = {0};
+    const SceneObject object = scene_object_of_shape(fixture->scene, 0);
+    window->state.edits = &edits;
+    window->state.is_light_moved = is_light_moved;
+    window->ray_view.y = 0.5;
+    for (int is_right = 0; is_right < 2; is_right++) {
+        window->ray_view.x = is_right ? 0.9 : 0.1;
+        window->object_inspector = (ObjectInspector){
+            .keyword = object.keyword, .number = object.origin->number, .has_pixel = true};
+        check_layers(fixture);
+    }
+    window->object_inspector = (ObjectInspector){0};
+    edit_history_deinit(&edits);
 }
 
 /** Checks captions, at both edges. */
@@ -152,6 +178,7 @@ static void test_help(void **state) {
 /** Settings and legends. */
 static void test_legends(void **state) {
     in_all_windows(state, check_legends);
+    in_all_windows(state, check_legends_beside);
 }
 
 /** Captions and notices. */

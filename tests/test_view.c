@@ -967,12 +967,12 @@ static void test_times(void **state) {
     char title[TITLE_SIZE];
     hud_update(&hud, &content, 1);
     title_write(&title_content, title);
-    assert_string_equal(hud_text(&hud, "all pixels"), "331.7 ms");
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms");
     assert_string_equal(hud_text(&hud, "in all"), "2156.8 ms");
     assert_non_null(strstr(title, "4 samples, 2156.8 ms,"));
     viewport.previous_render_seconds = 0.5;
     hud_update(&hud, &content, 2);
-    assert_string_equal(hud_text(&hud, "all pixels"), "331.7 ms, −168.3 (× 0.66)");
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, −168.3 (× 0.66)");
 }
 
 /** Settings that were tried have one point each; the front is what none beats in time and error. */
@@ -1083,7 +1083,7 @@ static void test_readout(void **state) {
                               "colour 1 2 3 of 255");
     readout.samples = 16;
     pixel_readout_write(&readout, text);
-    assert_non_null(strstr(text, "of 255 (mean of 16 samples)"));
+    assert_non_null(strstr(text, "of 255 (mean of up to 16 samples)"));
     readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
     readout.readings[0].values[0] = 2;
     readout.readings[1].values[0] = 2.5;
@@ -1518,7 +1518,6 @@ static void test_keymap_ctrl(void **state) {
     assert_string_equal(command_find_key(command_table, plain, false)->name, "light nearer");
 }
 
-/** Runs the tests. @return Number of failed tests. */
 /** Gives SDL a keyboard, which is a US one without a screen. */
 static int start_keyboard(void **state) {
     (void)state;
@@ -1526,6 +1525,7 @@ static int start_keyboard(void **state) {
     return SDL_InitSubSystem(SDL_INIT_VIDEO);
 }
 
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_motion_tap),

@@ -71,6 +71,19 @@ static void check_chosen(const Fixture *fixture, size_t ray) {
     assert_true(button->rect.y + button->rect.height <= title->rect.y);
 }
 
+/** Notes each text of a list of which a line is seen in part. */
+static void check_whole_lines(Fixture *fixture, const char *what) {
+    const GuiText *texts;
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    for (size_t i = 0; i < count; i++) {
+        const GuiText *text = &texts[i];
+        const float lines = seen(text).height / text->size;
+        if (text->scrolls && lines > 0 && fabsf(lines - roundf(lines)) * text->size > ROUNDING) {
+            fault(fixture, what, "%g lines of '%s' are seen", (double)lines, text->text);
+        }
+    }
+}
+
 /** Checks the view of rays: each drawing beside it, some rays of it. */
 static void check_rays(Fixture *fixture) {
     static const char *const panes[] = {"rays", "rays and plan", "rays and march",
@@ -86,18 +99,25 @@ static void check_rays(Fixture *fixture) {
             assert_true(rays->ray_tree.count > 4);
             check_frame(fixture, panes[pane], 8);
             check_chosen(fixture, ray);
+            check_whole_lines(fixture, panes[pane]);
         }
     }
     ray_view_reset(rays);
 }
 
-/** Checks the steps of a lesson: captions, questions, what is right and why; its end card. */
-static void check_lesson_panel(Fixture *fixture) {
+/** @return A lesson. */
+static Lesson *load_lesson(void) {
     const char *names[VIEW_ACTIONS_MAXIMUM];
     const ActionNames actions = {names, view_actions(names)};
     Error error = {0};
     Lesson *lesson = script_load_lesson("scenes/lessons/03-glass.lua", &actions, &error);
     assert_non_null(lesson);
+    return lesson;
+}
+
+/** Checks the steps of a lesson: captions, questions, what is right and why; its end card. */
+static void check_lesson_panel(Fixture *fixture) {
+    Lesson *lesson = load_lesson();
     int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
     int before[2], after[2];
     SDL_GetWindowSize(fixture->window.sdl.window, &before[0], &before[1]);
@@ -232,6 +252,41 @@ static void check_presentation(Fixture *fixture) {
     window_toggle_presentation(window);
 }
 
+/** @return The height of the window. */
+static int height_of(const Fixture *fixture) {
+    int height = 0;
+    SDL_GetWindowSize(fixture->window.sdl.window, NULL, &height);
+    return height;
+}
+
+/** Checks that a toolbar that is hidden and shown again gives the window its size back, to the
+ *  unit: alone, in a lesson, around a presentation. */
+static void check_toolbar_changes(Fixture *fixture) {
+    Window *window = &fixture->window;
+    Lesson *lesson = load_lesson();
+    int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
+    const LessonPanel panel = {.lesson = lesson, .answers = answers};
+    const int tall = height_of(fixture);
+    assert_false(window->toolbar.is_folded);
+    for (int is_lesson = 0; is_lesson < 2; is_lesson++) {
+        window_set_lesson_panel(window, is_lesson ? &panel : &(LessonPanel){0});
+        window_toggle_toolbar(window);
+        assert_true(window->toolbar.is_folded);
+        window_toggle_toolbar(window);
+        assert_int_equal(height_of(fixture), tall);
+    }
+    window_set_lesson_panel(window, &(LessonPanel){0});
+    lesson_destroy(lesson);
+    window_toggle_toolbar(window);
+    const int low = height_of(fixture);
+    assert_true(low < tall);
+    window_toggle_presentation(window);
+    assert_int_equal(height_of(fixture), low); // It has no toolbar either.
+    window_toggle_presentation(window);
+    assert_false(window->toolbar.is_folded);
+    assert_int_equal(height_of(fixture), tall);
+}
+
 /** The rays of a pixel of glass. */
 static void test_rays(void **state) {
     in_all_windows(state, check_rays);
@@ -263,11 +318,22 @@ static void test_presentation(void **state) {
     in_all_windows(state, check_presentation);
 }
 
+/** The toolbar is hidden and shown. */
+static void test_toolbar_changes(void **state) {
+    if (!*state) {
+        skip();
+    }
+    set_size(&((Fixture *)*state)->window, 800, 600);
+    check_toolbar_changes(*state);
+}
+
+/** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),      cmocka_unit_test(test_lesson_panel),
-        cmocka_unit_test(test_inspector), cmocka_unit_test(test_magnifier),
-        cmocka_unit_test(test_chart),     cmocka_unit_test(test_presentation),
+        cmocka_unit_test(test_toolbar_changes), cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_lesson_panel),    cmocka_unit_test(test_inspector),
+        cmocka_unit_test(test_magnifier),       cmocka_unit_test(test_chart),
+        cmocka_unit_test(test_presentation),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);
 }

@@ -128,7 +128,7 @@ void language_localize_numbers(char *text, size_t size) {
     int depth = 0;
     for (char *c = text; is_wanted && *c; c++) {
         const unsigned char before = c > text ? (unsigned char)c[-1] : '\0';
-        depth += (*c == '(') - (*c == ')');
+        depth = *c == '(' ? depth + 1 : *c == ')' && depth > 0 ? depth - 1 : depth;
         if (*c == '.' && isdigit(before) && isdigit((unsigned char)c[1])) {
             *c = ',';
         } else if (*c == ',' && c[1] == ' ' && depth > 0 && isalnum(before) &&

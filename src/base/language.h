@@ -39,7 +39,10 @@ void language_preload(void);
 /** Switches to the other language, in all threads. */
 void language_toggle(void);
 
-/** @return Whether the language is French. */
+/** Number of languages. */
+enum { LANGUAGE_COUNT = 2 };
+
+/** @return Whether the language is French: 0 or 1, the index of the language in an array. */
 bool language_is_french(void);
 
 /** @return A word in the user's language. @param word As #NC_ or #N_ mark it. */

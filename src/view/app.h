@@ -21,6 +21,7 @@
 #ifndef DIOPTRE_VIEW_APP_H
 #define DIOPTRE_VIEW_APP_H
 
+#include "base/language.h"
 #include "dioptre/view.h"
 #include "view/loading/file_watcher.h"
 #include "view/loading/scene_loader.h"
@@ -34,8 +35,6 @@
 
 /** Longest status in the title, bytes with the final zero; a longer one is cut. */
 enum { STATUS_TEXT_SIZE = 256 };
-/** Number of languages. */
-enum { LANGUAGE_COUNT = 2 };
 /** Longest name of a scene, bytes with the final zero; a longer one is cut. */
 enum { SCENE_NAME_SIZE = 256 };
 /** Bytes of a caption that is typed, with the final zero. */
@@ -65,7 +64,8 @@ typedef struct FileStamp {
 typedef struct SceneSource {
     char path[PATH_MAX];                          /**< File of the scene on screen, or `-`. */
     char name[SCENE_NAME_SIZE];                   /**< Its name, for the snapshots. */
-    char labels[LANGUAGE_COUNT][SCENE_NAME_SIZE]; /**< Its names for readers: English, French. */
+    char labels[LANGUAGE_COUNT][SCENE_NAME_SIZE]; /**< Its names for readers, by
+                                                       #language_is_french. */
     Scene *owned;                /**< The scene on screen; NULL: it is the first, the caller's. */
     Lesson *lesson;              /**< The lesson that was loaded with it and waits for the player;
                                       owned; NULL: none. */
@@ -162,8 +162,8 @@ typedef bool StatusHoldsFn(const App *app);
 /** The title of the window. */
 typedef struct TitleState {
     char status_text[STATUS_TEXT_SIZE]; /**< Its last part: the newest message; empty: none. */
-    StatusHoldsFn *holds;               /**< Until when it holds; NULL: it says nothing that ends. */
-    double next_update_time;            /**< Earliest time of its next change, seconds. */
+    StatusHoldsFn *holds;    /**< Until when it holds; NULL: it says nothing that ends. */
+    double next_update_time; /**< Earliest time of its next change, seconds. */
 } TitleState;
 
 /** The end of the program. */

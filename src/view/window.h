@@ -48,6 +48,14 @@ typedef struct Toast {
     double end_time;       /**< When it goes, seconds. */
 } Toast;
 
+/** A change of the toolbar, and of the size of the window with it. Starts as `{0}`: none. */
+typedef struct ToolbarChange {
+    bool was_folded;     /**< Whether the toolbar was hidden before. */
+    bool was_presenting; /**< Whether there was a presentation before. */
+    SDL_Point before;    /**< Size of the window before, screen units. */
+    SDL_Point after;     /**< The same, after it. */
+} ToolbarChange;
+
 /** A window. Starts as `{0}`. */
 typedef struct Window {
     Viewport viewports[WINDOW_VIEWPORTS];   /**< The viewports; the second is open only in the split
@@ -73,10 +81,8 @@ typedef struct Window {
     Toolbar toolbar;          /**< The bar at the upper edge. */
     int fitted_height;        /**< Height of bar and lesson panel that the window has
                                    room for, pixels. */
-    SDL_Point size_before_toggle; /**< Size of the window before the toolbar was last shown or
-                                       hidden, screen units. */
-    SDL_Point size_after_toggle;  /**< The same, after that. */
-    LightMarks light_marks;       /**< The marks of the lights. */
+    ToolbarChange toolbar_change;      /**< The last time that the toolbar was shown or hidden. */
+    LightMarks light_marks;            /**< The marks of the lights. */
     ObjectInspector object_inspector;  /**< The selected object. */
     Magnifier magnifier;               /**< Some pixels as squares. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */

@@ -58,7 +58,7 @@ void window_show_huds(Window *window, const GuiRect *area);
 void window_show_values(Window *window);
 
 /** @return Whether two parts of the window have any part in common. */
-bool window_overlap(const GuiRect *a, const GuiRect *b);
+bool rects_overlap(const GuiRect *a, const GuiRect *b);
 
 /** Shows notice and caption. @param area The part of the window for them, screen units. @return
  *  Where what lies at its lower edge begins. */

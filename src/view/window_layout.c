@@ -169,15 +169,20 @@ static int height_to_use(const Window *window, int picture) {
     return area.y + (is_below ? (int)(PANEL_HEIGHT * letter + 0.5) : 0);
 }
 
+/** @return Whether the window has the size of the screen, whatever it holds. */
+static bool has_fixed_size(const Window *window) {
+    const Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
+    return flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED);
+}
+
 /** Grows or shrinks the window by as much as bar and lesson panel, so that the picture keeps its
  *  size. @return Whether the window has another size now. */
 static bool fit_window(Window *window) {
-    Uint32 flags = SDL_GetWindowFlags(window->sdl.window);
     int width = 0, height = 0;
     sdl_window_size(&window->sdl, &width, &height);
     int used = height_to_use(window, height - window->fitted_height);
     int added = used - window->fitted_height;
-    if (flags & (SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_MAXIMIZED)) {
+    if (has_fixed_size(window)) {
         window->fitted_height = used;
         return false;
     }
@@ -253,35 +258,45 @@ static SDL_Point size_in_units(const Window *window) {
     return size;
 }
 
-/** Ends a change of the toolbar. A window that nobody resized since the last one gets the size back
- *  that it had before that: fitted to letters of whole units, it would be off by some pixels.
- *  @param before Size before this change. */
-static void end_toggle(Window *window, SDL_Point before) {
-    SDL_Point last = window->size_after_toggle, first = window->size_before_toggle;
-    if (before.x == last.x && before.y == last.y) {
-        SDL_SetWindowSize(window->sdl.window, first.x, first.y);
+/** @return A change of the toolbar that begins. */
+static ToolbarChange begin_change(const Window *window) {
+    return (ToolbarChange){.was_folded = window->toolbar.is_folded,
+                           .was_presenting = window->is_presenting,
+                           .before = size_in_units(window)};
+}
+
+/** Ends a change of the toolbar. One that takes the last one back gives a window that nobody has
+ *  resized since the size that it had: fitted to letters of whole units, it would be off by some
+ *  pixels. */
+static void end_change(Window *window, ToolbarChange change) {
+    const ToolbarChange *last = &window->toolbar_change;
+    bool is_back = last->was_folded == window->toolbar.is_folded &&
+                   last->was_presenting == window->is_presenting &&
+                   last->after.x == change.before.x && last->after.y == change.before.y;
+    if (is_back && !has_fixed_size(window)) {
+        SDL_SetWindowSize(window->sdl.window, last->before.x, last->before.y);
         layout_toolbar(window);
         window_on_resize(window);
     }
-    window->size_before_toggle = before;
-    window->size_after_toggle = size_in_units(window);
+    change.after = size_in_units(window);
+    window->toolbar_change = change;
 }
 
 void window_toggle_toolbar(Window *window) {
-    SDL_Point before = size_in_units(window);
+    const ToolbarChange change = begin_change(window);
     if (set_toolbar_folded(window, !window->toolbar.is_folded)) {
-        end_toggle(window, before);
+        end_change(window, change);
     } else {
         window_set_toast(window, gettext("the window is too small for the toolbar"));
     }
 }
 
 void window_toggle_presentation(Window *window) {
-    SDL_Point before = size_in_units(window);
+    const ToolbarChange change = begin_change(window);
     window->is_presenting = !window->is_presenting;
     window->toolbar.is_folded = window->is_presenting;
     window_relayout_toolbar(window);
-    end_toggle(window, before);
+    end_change(window, change);
     if (window->gui) {
         gui_set_ring(window->gui, window->is_presenting);
     }

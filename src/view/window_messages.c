@@ -89,7 +89,7 @@ static float above_legends(const Window *window, const char *text, float width, 
     float edge = low;
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         const GuiRect *legend = &window->legend_rects[i];
-        if (window_overlap(&message, legend)) {
+        if (rects_overlap(&message, legend)) {
             edge = fminf(edge, legend->y - gui_text_size() / 4);
         }
     }

@@ -31,7 +31,7 @@ void window_show_huds(Window *window, const GuiRect *area) {
     }
 }
 
-bool window_overlap(const GuiRect *a, const GuiRect *b) {
+bool rects_overlap(const GuiRect *a, const GuiRect *b) {
     return a->x < b->x + b->width && b->x < a->x + a->width && a->y < b->y + b->height &&
            b->y < a->y + a->height;
 }
@@ -42,8 +42,8 @@ static bool is_taken(const Window *window, const GuiRect *rect, const GuiRect *r
     bool is_inside = rect->y >= room->y && rect->y + rect->height <= room->y + room->height;
     bool is_free = is_inside;
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
-        is_free = is_free && !window_overlap(rect, &window->hud_rects[i]) &&
-                  !window_overlap(rect, &window->legend_rects[i]);
+        is_free = is_free && !rects_overlap(rect, &window->hud_rects[i]) &&
+                  !rects_overlap(rect, &window->legend_rects[i]);
     }
     return !is_free;
 }

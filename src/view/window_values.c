@@ -136,6 +136,7 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
     const GuiLegendPlace place = {.corner = {(float)(is_right ? area->x + area->w : area->x),
                                              (float)(area->y + area->h) - gap},
                                   .highest = (float)area->h - gap,
+                                  .widest = (float)area->w,
                                   .is_right = is_right,
                                   .taken = window->hud_rects,
                                   .taken_count = WINDOW_VIEWPORTS};

@@ -13,8 +13,8 @@ void window_set_state(Window *window, const WindowState *state) {
     window->state = *state;
 }
 
-/** Shows the bar: that of the rays, if they are shown, has another height. */
-static void show_toolbar(Window *window) {
+/** Lays the bar out: that of the rays, if they are shown, has another height. */
+static void layout_bar(Window *window) {
     const float height = window->toolbar.height;
     const WindowState *state = &window->state;
     RenderSettings settings = window_requested_settings(window);
@@ -37,6 +37,21 @@ static void show_toolbar(Window *window) {
     if (window->ray_view.is_open && height != window->toolbar.height) {
         ray_view_on_room_changed(&window->ray_view);
         gui_request_frames(window->gui);
+    }
+}
+
+/** Shows the bar, but not in a presentation, and not its button alone where that would cover the
+ *  words of a lesson or of rays. */
+static void show_toolbar(Window *window) {
+    Toolbar *toolbar = &window->toolbar;
+    bool has_words = window->lesson_panel.lesson || window->ray_view.is_open;
+    if (!window->is_presenting && !(toolbar->is_folded && has_words)) {
+        layout_bar(window);
+    } else {
+        toolbar->height = 0;
+    }
+    if (!window->ray_view.is_open || toolbar->height == 0) {
+        toolbar->usual_height = toolbar->height;
     }
 }
 
@@ -148,23 +163,33 @@ static void show_layer_name(const Window *window, GuiRect *area) {
     }
 }
 
+/** Shows what lies over the picture and over the rays. @param area The part of the window for
+ * panels.
+ *  @return Where what lies at its lower edge begins. */
+static float show_over_picture(Window *window, GuiRect area) {
+    area.height = SDL_max(1, area.height - gui_readout_height(""));
+    show_light_marks(window);
+    show_object_inspector(window);
+    window_follow_mouse(window);
+    GuiRect above_message = area;
+    above_message.height = SDL_max(1, area.height - window_messages_height(window));
+    window_show_huds(window, &above_message);
+    window_show_values(window);
+    const float readout_top = window_show_readout(window);
+    show_rays(window);
+    window_show_progress(window);
+    show_lesson_panel(window);
+    return fminf(readout_top, window_show_captions(window, &area));
+}
+
 void window_show_widgets(Window *window) {
-    int width = 0, height = 0;
+    int width = 0;
     if (!window->gui) {
         return;
     }
-    SDL_GetWindowSize(window->sdl.window, &width, &height);
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
     gui_begin_frame(window->gui, window_text_size(window));
-    // The button of a folded bar would cover the words of a lesson or of rays.
-    bool has_words = window->lesson_panel.lesson || window->ray_view.is_open;
-    if (!window->is_presenting && !(window->toolbar.is_folded && has_words)) {
-        show_toolbar(window);
-    } else {
-        window->toolbar.height = 0;
-    }
-    if (!window->ray_view.is_open || window->toolbar.height == 0) {
-        window->toolbar.usual_height = window->toolbar.height;
-    }
+    show_toolbar(window);
     show_cursor(window);
     GuiRect area = window_area_below_button(window);
     show_layer_name(window, &area);
@@ -178,19 +203,7 @@ void window_show_widgets(Window *window) {
     } else if (window->browser.is_open) {
         browser_show(&window->browser, window->sdl.renderer, &area);
     } else {
-        area.height = SDL_max(1, area.height - gui_readout_height(""));
-        show_light_marks(window);
-        show_object_inspector(window);
-        window_follow_mouse(window);
-        GuiRect above_message = area;
-        above_message.height = SDL_max(1, area.height - window_messages_height(window));
-        window_show_huds(window, &above_message);
-        window_show_values(window);
-        float readout_top = window_show_readout(window);
-        show_rays(window);
-        window_show_progress(window);
-        show_lesson_panel(window);
-        bottom = fminf(readout_top, window_show_captions(window, &area));
+        bottom = show_over_picture(window, area);
     }
     window_show_recording_sign(window, width);
     window_show_messages(window, width, bottom);

@@ -5,6 +5,7 @@
 #include "assets/plugin.h"
 
 #include "assets/images/image_plugin.h"
+#include "web/mesh_reader.h"
 
 #include <string.h>
 
@@ -12,11 +13,9 @@
 extern const ImagePlugin dioptre_image_plugin;
 
 const void *plugin_open(const Plugin *plugin, Error *error) {
-    if (strcmp(plugin->symbol, IMAGE_PLUGIN_SYMBOL) == 0) {
-        return &dioptre_image_plugin;
-    }
-    error_set(error, STATUS_SCENE, "in a page, models are read from .obj files only");
-    return NULL;
+    (void)error;
+    bool is_of_images = strcmp(plugin->symbol, IMAGE_PLUGIN_SYMBOL) == 0;
+    return is_of_images ? (const void *)&dioptre_image_plugin : (const void *)&web_mesh_plugin;
 }
 
 const void *plugin_open_from(const Plugin *plugin, const char *folder, Error *error) {

@@ -319,11 +319,21 @@ static void tell_description(App *app) {
     }
 }
 
+/** Tells the page that there is something to be seen of a picture: once. */
+static void tell_picture(void) {
+    static bool is_told;
+    if (!is_told) {
+        is_told = true;
+        MAIN_THREAD_ASYNC_EM_ASM({ Module['onPicture'] && Module['onPicture'](); });
+    }
+}
+
 /** Handles an event: those of the page here. See #input_handle_event. */
 void __wrap_input_handle_event(App *app, const SDL_Event *event) {
     if (event->type != STATE_EVENT) {
         __real_input_handle_event(app, event);
         if (event->type == app->first_event + EVENT_PASS_FINISHED) {
+            tell_picture();
             tell_description(app);
         }
         return;

@@ -1,15 +1,16 @@
 /**
  * @file
- * @brief What a page lacks of an operating system: programs, signals, the folder of the program and
- *        a watch on files.
+ * @brief What a page lacks of an operating system: programs, signals, the folder of the program, a
+ *        watch on files, a way out and a clipboard.
  *
- * It stands in for base/process/pipe_process.c, base/executable_dir.c, view/input/signal_thread.c
- * and view/loading/file_watcher.c.
+ * It stands in for base/process/pipe_process.c, base/executable_dir.c, view/input/signal_thread.c,
+ * view/loading/file_watcher.c and view/state/way_out.c.
  */
 #include "base/executable_dir.h"
 #include "base/process/pipe_process.h"
 #include "view/input/signal_thread.h"
 #include "view/loading/file_watcher.h"
+#include "view/state/way_out.h"
 
 #include <SDL.h>
 #include <emscripten.h>
@@ -61,6 +62,23 @@ bool signal_thread_start(SignalThread *signal_thread, uint32_t event) {
 
 void signal_thread_stop(SignalThread *signal_thread) {
     (void)signal_thread;
+}
+
+// --- the end -------------------------------------------------------------------------------------
+
+bool way_out_exists(void) {
+    return false;
+}
+
+// --- the clipboard -------------------------------------------------------------------------------
+
+/** SDL's own function, whose clipboard is the program's alone in a page. */
+int __real_SDL_SetClipboardText(const char *text);
+
+/** Gives a text to the browser's clipboard, too. See SDL_SetClipboardText(). */
+int __wrap_SDL_SetClipboardText(const char *text) {
+    MAIN_THREAD_EM_ASM({ Module['onCopy'] && Module['onCopy'](UTF8ToString($0)); }, text);
+    return __real_SDL_SetClipboardText(text);
 }
 
 // --- files that change ---------------------------------------------------------------------------

@@ -1,12 +1,14 @@
 /**
  * @file
- * @brief The words of the scene language for the page's editor: from the same tables that the
+ * @brief The words of scenes and lessons for the page's editor: from the same tables that the
  * parser reads.
  */
 #include "base/json.h"
 #include "dioptre/scene.h"
 #include "dioptre/scene_override.h"
+#include "dioptre/view.h"
 #include "script/include.h"
+#include "script/lesson_functions.h"
 #include "script/library.h"
 #include "script/sdf_binding.h"
 
@@ -100,8 +102,32 @@ static void write_functions(JsonWriter *json) {
     json_array_end(json);
 }
 
-/** @return All keywords with their fields, and the functions, as JSON, in the language of the
- * window; NULL without memory. To be freed by the caller. Called by the page. */
+/** Writes the functions that a lesson has besides those of Lua, such as `caption`. */
+static void write_lesson_functions(JsonWriter *json) {
+    lua_State *L = luaL_newstate();
+    json_array_begin(json, "lesson_functions");
+    if (L) {
+        lesson_dialect.open(L);
+        lua_pushglobaltable(L);
+        write_names(L, "", json);
+        lua_close(L);
+    }
+    json_array_end(json);
+}
+
+/** Writes the names of what a lesson presses and holds, such as `camera right`. */
+static void write_actions(JsonWriter *json) {
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    view_actions(names);
+    json_array_begin(json, "actions");
+    for (size_t i = 0; names[i]; i++) {
+        json_string(json, NULL, names[i]);
+    }
+    json_array_end(json);
+}
+
+/** @return All keywords with their fields, the functions, and what lessons have, as JSON, in the
+ * language of the window; NULL without memory. To be freed by the caller. Called by the page. */
 EMSCRIPTEN_KEEPALIVE char *web_words(void) {
     char *text = NULL;
     size_t size = 0;
@@ -112,6 +138,8 @@ EMSCRIPTEN_KEEPALIVE char *web_words(void) {
     json_object_begin(&json, NULL);
     write_keywords(&json);
     write_functions(&json);
+    write_lesson_functions(&json);
+    write_actions(&json);
     json_object_end(&json);
     fclose(json.stream);
     return text;

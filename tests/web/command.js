@@ -13,11 +13,12 @@ const openEmpty = async (browser) => {
  * Runs a command line of the program in an empty page.
  * @param program Its script.
  * @param output  The file that it writes; null: none.
+ * @param files   [[path, Buffer]] that it finds besides those of the page.
  * @return { lines, bytes }: what it says, and the file.
  */
-const runCommand = async (page, url, program, command, output) => {
+const runCommand = async (page, url, program, command, output, files = []) => {
   await page.goto(`${url}empty.html`);
-  const { lines, base64 } = await page.evaluate(async ({ program, command, output }) => {
+  const { lines, base64 } = await page.evaluate(async ({ program, command, output, texts }) => {
     const late = (await (await fetch("files.json")).json()).later;
     await new Promise((resolve, reject) => {
       const script = document.createElement("script");
@@ -39,7 +40,8 @@ const runCommand = async (page, url, program, command, output) => {
             const response = await fetch("scenes/" + name);
             module.FS.mkdirTree("/scenes/" + name.slice(0, name.lastIndexOf("/")));
             module.FS.writeFile("/scenes/" + name, new Uint8Array(await response.arrayBuffer()));
-          })).then(() => module.removeRunDependency("files"));
+          })).then(() => texts.forEach(([path, text]) => module.FS.writeFile(path, Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0)))))
+            .then(() => module.removeRunDependency("files"));
         }],
         print: (line) => lines.push(line),
         printErr: (line) => lines.push(line),
@@ -52,7 +54,7 @@ const runCommand = async (page, url, program, command, output) => {
       binary += String.fromCharCode(...bytes.slice(i, i + 4096));
     }
     return { lines, base64: btoa(binary) };
-  }, { program, command, output });
+  }, { program, command, output, texts: files.map(([path, bytes]) => [path, bytes.toString("base64")]) });
   return { lines, bytes: Buffer.from(base64, "base64") };
 };
 

@@ -17,11 +17,12 @@ const nameless = (page) => page.evaluate(() => [...document.querySelectorAll("bu
   .filter((element) => !(element.textContent.trim() || element.getAttribute("aria-label") || element.labels?.length))
   .map((element) => element.id || element.tagName));
 
-/** @return Whether the picture reaches nine tenths of the canvas to the right, in the screen's own pixels. */
+/** @return Whether the window has the screen's own pixels, and the picture reaches nine tenths of it to the right. */
 const isFilled = (page) => page.evaluate(() => {
   const canvas = document.getElementById("canvas");
   const column = canvas.getContext("2d").getImageData(Math.floor(0.9 * canvas.width), 0, 1, canvas.height).data;
-  const isExact = Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) <= 1;
+  const { width, height } = canvas.getBoundingClientRect();
+  const isExact = Math.abs(canvas.width - width * devicePixelRatio) <= 1 && Math.abs(canvas.height - height * devicePixelRatio) <= 1;
   return isExact && column.filter((byte, i) => i % 4 < 3 && byte > 0).length > 0;
 });
 

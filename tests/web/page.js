@@ -10,12 +10,14 @@ const PARTS = {
   single: windows.single,
   links: require("./links.js"),
   panel: require("./panel.js"),
+  models: require("./models.js"),
   layout: require("./layout.js"),
   firefox: require("./firefox.js"),
+  keys: require("./keys.js"),
   bits: require("./bits.js"),
 };
-/** Parts that run only when they are named: in `keys` the memory of a page without threads grows; `speed` is no test. */
-const NAMED_ONLY = { keys: require("./keys.js"), speed: require("./speed.js") };
+/** Parts that run only when they are named: `speed` is no test. */
+const NAMED_ONLY = { speed: require("./speed.js") };
 
 (async () => {
   const asked = process.argv.slice(2);

@@ -19,6 +19,17 @@ const testKeys = async (page) => {
   check(rays !== first, "the rays of a pixel are shown");
   await page.keyboard.press("v");
   await settled(page);
+  if (await page.evaluate(() => Boolean(navigator.clipboard))) {
+    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+    await page.keyboard.press("c");
+    await page.waitForFunction(async () => /camera/.test(await navigator.clipboard.readText()), null, { timeout: PATIENCE });
+    check(true, "the view is copied to the clipboard");
+  }
+  for (const key of ["Escape", "Escape", "Escape", "Control+q", "Control+q"]) {
+    await page.keyboard.press(key);
+  }
+  await settled(page);
+  check(await page.textContent("#message") === "", "neither Esc nor Ctrl+Q ends the program, which would leave a dead page");
 };
 
 const testErrors = async (page, text) => {
@@ -71,6 +82,11 @@ const testCompletion = async (page, text) => {
   await editText(page, text);
   const functions = await labels("\nlocal x = math.s");
   check(functions.includes("math.sin") && !functions.includes("radius"), `and functions: ${functions}`);
+  await editText(page, `lesson { scene = "box.lua" }`);
+  const steps = await labels("\nca");
+  check(steps.includes("caption") && steps.includes("camera"), `and the words of lessons: ${steps}`);
+  const actions = await labels('ption { en = "x" }\nhold("camera l');
+  check(actions.includes("camera left") && !actions.includes("camera"), `and what they hold: ${actions}`);
   await editText(page, text);
 };
 

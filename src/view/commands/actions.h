@@ -140,8 +140,8 @@ void action_toggle_full_screen(App *app, int argument);
  *  two pictures, a layer, the full screen; at last the program. What a lesson shows stays. */
 void action_leave(App *app, int argument);
 
-/** Ends the lesson that plays, or else the program; if that would lose something, only when it is
- *  asked a second time. */
+/** Ends the lesson that plays, or else the program, where it can be ended (#way_out_exists); if that
+ *  would lose something, only when it is asked a second time. */
 void action_quit(App *app, int argument);
 
 /** Selects the next shape or light, or the one before. See #edits_select_next. */

@@ -39,10 +39,11 @@ void current_scene_file_written(App *app) {
 /** Sets the scene's file, name and watch. */
 static void set_path(App *app, const char *path) {
     scene_name_from_path(path, app->source.name, sizeof app->source.name);
-    for (int i = 0; i < LANGUAGE_COUNT; i++) {
-        SDL_strlcpy(app->source.labels[i], app->source.name, SCENE_NAME_SIZE);
+    for (int is_french = 0; is_french < LANGUAGE_COUNT; is_french++) {
+        char *label = app->source.labels[is_french];
+        SDL_strlcpy(label, app->source.name, SCENE_NAME_SIZE);
         if (strcmp(path, "-") != 0) {
-            scene_title_read_name(path, i > 0, app->source.labels[i], SCENE_NAME_SIZE);
+            scene_title_read_name(path, is_french, label, SCENE_NAME_SIZE);
         }
     }
     SDL_strlcpy(app->source.path, path, sizeof app->source.path);

@@ -8,6 +8,7 @@
 #include "view/commands/actions.h"
 #include "view/commands/commands.h"
 #include "view/commands/edits.h"
+#include "view/state/way_out.h"
 
 /** Seconds in which leaving again loses what the question is about. */
 static const double CONFIRMATION_SECONDS = 4;
@@ -34,6 +35,10 @@ static bool is_asked(const App *app) {
 }
 
 void leaving_request(App *app) {
+    if (!way_out_exists() && !app_is_playing(app)) {
+        app_set_status(app, "close the tab of the page to leave dioptre");
+        return;
+    }
     if (leaving_question(app) && !is_asked(app)) {
         app->exit.question = leaving_question(app);
         app->exit.confirmation_end = clock_now_seconds() + CONFIRMATION_SECONDS;

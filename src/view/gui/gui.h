@@ -333,7 +333,8 @@ size_t gui_texts(const Gui *gui, const GuiText **texts);
 /* --- lists of rays: rows, check boxes and text beside the picture ------------------------------
  */
 
-/** Begins a list with a dark ground, which scrolls. Its rows follow, then #gui_panel_end. */
+/** Begins a list with a dark ground, which scrolls, and shows no line in part. Its rows follow,
+ * then #gui_panel_end. */
 void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size);
 
 /** Begins a row of buttons, as high as they need. Its widgets follow, then #gui_bar_end. */
@@ -393,13 +394,14 @@ typedef struct GuiLegend {
 typedef struct GuiLegendPlace {
     GuiPoint corner;      /**< Its lower corner, on the side that #is_right says. */
     float highest;        /**< Largest height, pixels of the window: the bar shrinks. */
+    float widest;         /**< Largest width: words are broken into lines. */
     bool is_right;        /**< Whether the corner is the right one. */
     const GuiRect *taken; /**< Panels that it must not touch: they were asked for. */
     int taken_count;      /**< Number of them. */
 } GuiLegendPlace;
 
-/** Draws a legend, unless it would touch what is taken. @param id Unique to it; not shown.
- *  @return Where it lies; of height 0: nowhere. */
+/** Draws a legend, unless it would touch what is taken or has no room for its words. @param id
+ * Unique to it; not shown. @return Where it lies; of height 0: nowhere. */
 GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place);
 
 /** Draws a ring around a pixel, seen on light and dark ground. */

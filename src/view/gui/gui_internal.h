@@ -67,6 +67,7 @@ struct Gui {
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     ImRect list_opener;       /**< The widget that has opened the list. */
     ImRect silenced;          /**< The widget that was clicked, until the mouse leaves it. */
+    bool has_whole_lines;     /**< Whether the present panel shows no part of a line. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
 };
@@ -94,6 +95,10 @@ void record_right_label(const char *label);
 
 /** @return The size of a text. @param width Width of lines; 0: they are not broken. */
 ImVec2 text_extent(const char *text, float width);
+
+/** @return Whether a line of text is shown: in a list only if it is not cut. @param top Its upper
+ * end. */
+bool is_line_shown(const ImDrawList *list, float top);
 
 /** Writes a text. @param width See #text_extent. @return Its size. */
 ImVec2 put_text(ImDrawList *list, ImVec2 corner, float width, ImU32 color, const char *text);

@@ -191,6 +191,7 @@ void gui_search_box(const char *text, const char *hint) {
 }
 
 void gui_panel_end() {
+    current_gui()->has_whole_lines = false;
     ImGui::End();
 }
 

@@ -38,6 +38,7 @@ extern "C" {
 void gui_list_begin(const char *id, GuiPoint corner, GuiPoint size) {
     begin_window(id, ImVec2(corner.x, corner.y), ImVec2(size.x, size.y),
                  ImGuiWindowFlags_NoBringToFrontOnFocus);
+    current_gui()->has_whole_lines = true;
 }
 
 void gui_row_begin(const char *id, GuiPoint corner, float width) {
@@ -81,9 +82,11 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
         ImGui::Selectable("##row", is_selected, 0, ImVec2(0, text_extent(text, room).y));
     ImDrawList *list = ImGui::GetWindowDrawList();
     ImVec2 low(corner.x + left, corner.y + 0.2F * size);
-    list->AddRectFilled(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size),
-                        IM_COL32(rgb[0], rgb[1], rgb[2], 255));
-    list->AddRect(low, ImVec2(low.x + 0.6F * size, low.y + 0.6F * size), TEXT);
+    if (is_line_shown(list, roundf(corner.y))) {
+        const ImVec2 high(low.x + 0.6F * size, low.y + 0.6F * size);
+        list->AddRectFilled(low, high, IM_COL32(rgb[0], rgb[1], rgb[2], 255));
+        list->AddRect(low, high, TEXT);
+    }
     put_text(ImVec2(low.x + colored, corner.y), room, is_selected ? ACCENT : TEXT, text);
     if (is_revealed) {
         // Always the same place, wherever the list was scrolled to.

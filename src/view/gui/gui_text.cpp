@@ -103,21 +103,22 @@ ImVec2 place_tooltip(ImVec2 whole, float room) {
     return at;
 }
 
-/** @return Whether the last widget was clicked, and the mouse has stayed on it: who clicks knows
- *  what it does, and looks at what it has done. */
-bool is_silenced() {
-    Gui *gui = current_gui();
+/** Notes the last widget, which is under the mouse, if it is clicked: until the mouse leaves it, it
+ *  has no tooltip. Who clicks knows what it does, and looks at what it has done. */
+void silence_clicked_widget() {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        gui->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+        current_gui()->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     }
-    return gui->silenced.Contains(ImGui::GetIO().MousePos);
 }
 
 } // namespace
 
 void show_tooltip(const char *text) {
-    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
-        is_silenced()) {
+    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
+    }
+    silence_clicked_widget();
+    if (current_gui()->silenced.Contains(ImGui::GetIO().MousePos)) {
         return;
     }
     const ImVec2 pad = ImGui::GetStyle().WindowPadding;
@@ -189,17 +190,30 @@ ImVec2 text_extent(const char *text, float width) {
     return size;
 }
 
+bool is_line_shown(const ImDrawList *list, float top) {
+    const ImVec4 &clip = list->_ClipRectStack.back();
+    return !current_gui()->has_whole_lines ||
+           (top >= clip.y && top + ImGui::GetFontSize() <= clip.w);
+}
+
 ImVec2 put_text(ImDrawList *list, ImVec2 corner, float width, ImU32 color, const char *text) {
     const float size = ImGui::GetFontSize();
-    ImVec2 at(roundf(corner.x), roundf(corner.y)), extent = text_extent(text, width);
-    record_text(text, at, ImVec2(at.x + extent.x, at.y + extent.y), list->_ClipRectStack.back(),
-                size);
-    while (*text != '\0') {
-        const char *end = line_end(text, width);
-        list->AddText(at, color, text, end);
-        at.y += size;
-        text = *end != '\0' ? end + 1 : end;
+    const ImVec2 low(roundf(corner.x), roundf(corner.y)), extent = text_extent(text, width);
+    ImVec4 seen = list->_ClipRectStack.back();
+    float bottom = low.y;
+    const char *line = text;
+    for (float top = low.y; *line != '\0'; top += size) {
+        const char *end = line_end(line, width);
+        if (is_line_shown(list, top)) {
+            list->AddText(ImVec2(low.x, top), color, line, end);
+            bottom = top + size;
+        } else if (bottom <= low.y) {
+            seen.y = fmaxf(seen.y, top + size); // The line is above what is shown.
+        }
+        line = *end != '\0' ? end + 1 : end;
     }
+    seen.w = current_gui()->has_whole_lines ? fmaxf(seen.y, fminf(seen.w, bottom)) : seen.w;
+    record_text(text, low, ImVec2(low.x + extent.x, low.y + extent.y), seen, size);
     return extent;
 }
 

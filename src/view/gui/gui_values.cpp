@@ -15,35 +15,58 @@ constexpr float PROGRESS_HEIGHT = 0.3F;
 
 /** What the parts of a legend measure, pixels of the window. */
 struct LegendLayout {
-    float line;  /**< Height of a line. */
-    float gap;   /**< Distance of parts, and from the edge. */
-    float bar;   /**< Height of the bar; 0: none. */
-    float width; /**< Width of the contents. */
-    float notes; /**< Height of the notes. */
-    int apart;   /**< Colours that are not on the bar. */
+    float line;   /**< Height of a line. */
+    float gap;    /**< Distance of parts, and from the edge. */
+    float swatch; /**< Width of a colour with the gap behind it. */
+    float width;  /**< Width of the contents. */
+    float head;   /**< Height of title and unit. */
+    float bar;    /**< Height of the bar; 0: none. */
+    float apart;  /**< Height of the colours that are not on the bar. */
+    float notes;  /**< Height of the notes. */
+    bool fits;    /**< Whether no word is wider than its line. */
 };
 
-/** @return The layout of a legend. @param highest See #gui_legend. */
-LegendLayout legend_layout(const GuiLegend *legend, float highest) {
-    LegendLayout layout = {ImGui::GetFontSize(), PADDING * ImGui::GetFontSize(), 0, 0, 0, 0};
-    const float swatch = 2 * layout.line + layout.gap;
-    layout.width = fmaxf(ImGui::CalcTextSize(legend->title).x, ImGui::CalcTextSize(legend->unit).x);
+/** @return The height of a text of a legend. @param width Width of its lines. */
+float add_words(LegendLayout *layout, const char *text, float width) {
+    const ImVec2 size = text_extent(text, width);
+    layout->fits = layout->fits && size.x <= width;
+    return size.y;
+}
+
+/** @return The width of a legend whose words are not broken, but for its notes. */
+float legend_width(const GuiLegend *legend, float swatch, float line) {
+    float width = fmaxf(ImGui::CalcTextSize(legend->title).x, ImGui::CalcTextSize(legend->unit).x);
     for (int i = 0; i < legend->swatch_count; i++) {
-        layout.apart += legend->swatches[i].position < 0;
-        layout.width =
-            fmaxf(layout.width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
+        width = fmaxf(width, swatch + ImGui::CalcTextSize(legend->swatches[i].text).x);
     }
     for (int i = 0; i < legend->note_count; i++) {
-        float note =
-            fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * layout.line);
-        layout.width = fmaxf(layout.width, note);
+        width =
+            fmaxf(width, fminf(ImGui::CalcTextSize(legend->notes[i]).x, LEGEND_NOTE_WIDTH * line));
+    }
+    return ceilf(width);
+}
+
+/** @return The layout of a legend. */
+LegendLayout legend_layout(const GuiLegend *legend, const GuiLegendPlace *place) {
+    LegendLayout layout = {};
+    layout.fits = true;
+    layout.line = ImGui::GetFontSize();
+    layout.gap = PADDING * layout.line;
+    layout.swatch = 2 * layout.line + layout.gap;
+    layout.width = fminf(legend_width(legend, layout.swatch, layout.line),
+                         fmaxf(place->widest - 2 * layout.gap, 2 * layout.swatch));
+    layout.head = add_words(&layout, legend->title, layout.width);
+    layout.head += legend->unit[0] != '\0' ? add_words(&layout, legend->unit, layout.width) : 0;
+    for (int i = 0; i < legend->swatch_count; i++) {
+        const GuiSwatch &swatch = legend->swatches[i];
+        layout.apart +=
+            swatch.position < 0 ? add_words(&layout, swatch.text, layout.width - layout.swatch) : 0;
     }
     for (int i = 0; i < legend->note_count; i++) {
-        layout.notes += text_extent(legend->notes[i], layout.width).y + layout.gap / 2;
+        layout.notes += add_words(&layout, legend->notes[i], layout.width) + layout.gap / 2;
     }
     if (legend->bar_count > 0) {
-        float lines = static_cast<float>(layout.apart) + 1 + (legend->unit[0] != '\0' ? 1 : 0);
-        float rest = highest - lines * layout.line - layout.notes - 5 * layout.gap;
+        float rest = place->highest - layout.head - layout.apart - layout.notes - 5 * layout.gap;
         layout.bar = fmaxf(fminf(LEGEND_BAR_LINES * layout.line, rest), 2 * layout.line);
     }
     return layout;
@@ -75,7 +98,7 @@ void draw_legend_bar(ImDrawList *list, const GuiLegend *legend, const LegendLayo
         list->AddLine(ImVec2(low.x + width, y), ImVec2(low.x + 1.5F * width, y), TEXT, 1.5F);
         if (y - layout.line / 2 >= last + layout.line) {
             last = y - layout.line / 2;
-            put_text(list, ImVec2(low.x + 2 * layout.line + layout.gap, last), 0, TEXT, tick.text);
+            put_text(list, ImVec2(low.x + layout.swatch, last), 0, TEXT, tick.text);
         }
     }
 }
@@ -90,8 +113,9 @@ void draw_legend_list(ImDrawList *list, const GuiLegend *legend, const LegendLay
             list->AddRectFilled(ImVec2(at.x, at.y + edge),
                                 ImVec2(at.x + 2 * layout.line, at.y + layout.line - edge),
                                 IM_COL32(swatch.rgb[0], swatch.rgb[1], swatch.rgb[2], 255));
-            put_text(list, ImVec2(at.x + 2 * layout.line + layout.gap, at.y), 0, TEXT, swatch.text);
-            at.y += layout.line;
+            at.y += put_text(list, ImVec2(at.x + layout.swatch, at.y), layout.width - layout.swatch,
+                             TEXT, swatch.text)
+                        .y;
         }
     }
     for (int i = 0; i < legend->note_count; i++) {
@@ -106,19 +130,29 @@ void draw_legend(const char *id, const GuiLegend *legend, const LegendLayout &la
     list->AddRectFilled(rect.Min, rect.Max, ImGui::GetColorU32(ImGuiCol_WindowBg),
                         ROUNDING * layout.line);
     ImVec2 at(rect.Min.x + layout.gap, rect.Min.y + layout.gap);
-    put_text(list, at, 0, ACCENT, legend->title);
-    at.y += layout.line;
+    put_text(list, at, layout.width, ACCENT, legend->title);
     if (legend->unit[0] != '\0') {
-        put_text(list, at, 0, TEXT, legend->unit);
-        at.y += layout.line;
+        const float title = text_extent(legend->title, layout.width).y;
+        put_text(list, ImVec2(at.x, at.y + title), layout.width, TEXT, legend->unit);
     }
-    at.y += layout.gap;
+    at.y += layout.head + layout.gap;
     if (legend->bar_count > 0) {
         draw_legend_bar(list, legend, layout, at);
         at.y += layout.bar + layout.gap;
     }
     draw_legend_list(list, legend, layout, at);
     end_value(list);
+}
+
+/** @return Whether a legend would touch what is taken. @param rect Where it would lie. */
+bool is_taken(const GuiLegendPlace *place, const ImRect &rect) {
+    bool touches = false;
+    for (int i = 0; i < place->taken_count; i++) {
+        const GuiRect &taken = place->taken[i];
+        const ImRect panel(taken.x, taken.y, taken.x + taken.width, taken.y + taken.height);
+        touches = touches || (taken.height > 0 && panel.Overlaps(rect));
+    }
+    return touches;
 }
 
 /** Narrowest readout beside the inspector, in heights of letters: else it lies below it. */
@@ -166,20 +200,16 @@ void gui_readout(const char *id, const char *text, const unsigned char rgb[3], G
 }
 
 GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place) {
-    LegendLayout layout = legend_layout(legend, place->highest);
-    float lines = static_cast<float>(layout.apart) + (legend->unit[0] != '\0' ? 2 : 1);
-    float height = lines * layout.line + layout.bar + layout.notes + 4 * layout.gap;
+    LegendLayout layout = legend_layout(legend, place);
+    float height = layout.head + layout.bar + layout.apart + layout.notes + 4 * layout.gap;
     float width = layout.width + 2 * layout.gap;
     const GuiPoint &corner = place->corner;
     ImVec2 low(place->is_right ? corner.x - width : corner.x, corner.y - height);
-    for (int i = 0; i < place->taken_count; i++) {
-        const GuiRect &taken = place->taken[i];
-        ImRect rect(taken.x, taken.y, taken.x + taken.width, taken.y + taken.height);
-        if (taken.height > 0 && rect.Overlaps(ImRect(low, ImVec2(low.x + width, corner.y)))) {
-            return GuiRect{corner.x, corner.y, 0, 0};
-        }
+    const ImRect rect(low, ImVec2(low.x + width, corner.y));
+    if (!layout.fits || height > place->highest || is_taken(place, rect)) {
+        return GuiRect{corner.x, corner.y, 0, 0};
     }
-    draw_legend(id, legend, layout, ImRect(low, ImVec2(low.x + width, corner.y)));
+    draw_legend(id, legend, layout, rect);
     return GuiRect{low.x, low.y, width, height};
 }
 

@@ -62,9 +62,10 @@ static void take_kept_picture(SceneList *list, SceneEntry *scene) {
     }
 }
 
-/** Adds a scene or a lesson. @param[in,out] list Locked, with a free place. @param folder Empty, or
- *  with a slash at its end. @param wants_lesson Whether files other than lessons are left out, or
- *  lessons. */
+/** Adds a scene or a lesson. Behind the end of the list its thread writes alone, so files are read
+ *  without the lock, for which the window waits. @param[in,out] list With a free place. @param
+ *  folder Empty, or with a slash at its end. @param wants_lesson Whether files other than lessons
+ *  are left out, or lessons. */
 static void add_entry(SceneList *list, const char *folder, const char *file, bool wants_lesson) {
     SceneEntry *scene = &list->scenes[list->count];
     size_t size = strlen(folder) + strlen(file) + 1;
@@ -83,7 +84,9 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
         scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
         SDL_strlcpy(scene->label, scene->name, sizeof scene->label);
         scene_title_read_name(scene->path, language_is_french(), scene->label, sizeof scene->label);
+        scene_list_lock(list);
         list->count++;
+        scene_list_unlock(list);
     } else {
         free(scene->path);
     }
@@ -94,14 +97,12 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
 static void list_folder(SceneList *list, const char *folder, bool wants_lessons) {
     struct dirent **files = NULL;
     int count = scandir(folder[0] ? folder : ".", &files, is_scene_file, alphasort);
-    scene_list_lock(list);
     for (int i = 0; i < count; i++) {
         if (list->count < SCENE_LIST_MAXIMUM) {
             add_entry(list, folder, files[i]->d_name, wants_lessons);
         }
         free(files[i]);
     }
-    scene_list_unlock(list);
     free(files);
 }
 
@@ -170,12 +171,17 @@ static const char *strip_folder(const SceneEntry *scene, const char *message) {
     return strncmp(message, scene->path, length) == 0 ? message + length : message;
 }
 
-/** Loads one scene: its thumbnail or error. */
+/** Loads one scene: its thumbnail or error. One that is stopped meanwhile, perhaps half drawn, is
+ *  drawn when the list is filled again. */
 static void load_entry(SceneList *list, size_t index) {
     SceneEntry *scene = &list->scenes[index];
     Picture picture = {0};
     Error error = {0};
     draw_thumbnail(list, scene, &picture, &error);
+    if (atomic_load(&list->should_stop)) {
+        picture_deinit(&picture);
+        return;
+    }
     scene_list_lock(list);
     scene->picture = picture;
     scene->is_loaded = true;

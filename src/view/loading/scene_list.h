@@ -43,11 +43,12 @@ typedef struct SceneList {
     bool is_started;              /**< Whether the thread must be joined. */
     atomic_bool should_stop;      /**< Whether the thread should end. */
     atomic_bool is_running;       /**< Whether the thread works. */
+    SceneEntry *kept;             /**< What was listed before, until the thread has found the
+                                       scenes; owned; NULL: nothing. */
+    size_t kept_count;            /**< Number of #kept. */
     pthread_mutex_t mutex;        /**< Locks the members below. */
     SceneEntry *scenes;           /**< The scenes; owned. */
     size_t count;                 /**< Number of scenes. */
-    SceneEntry *kept; /**< What was listed before, until the scenes are found; owned; NULL: none. */
-    size_t kept_count; /**< Their number. */
 } SceneList;
 
 /**

@@ -6,6 +6,8 @@
 
 #include "base/regular_file.h"
 
+#include <SDL.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -15,11 +17,24 @@ enum { LINE_SIZE = 1024 };
 /** Lines of a file in which a lesson or its title is looked for. */
 enum { LINES_MAXIMUM = 200 };
 /** Bytes of a file up to which its name is looked for: a window that opens waits for it. */
-enum { NAMED_FILE_MAXIMUM = 1 << 20 };
+static const int64_t NAMED_FILE_MAXIMUM = 1 << 20;
 
 /** @return Whether a text begins with another. */
 static bool begins_with(const char *text, const char *start) {
     return strncmp(text, start, strlen(start)) == 0;
+}
+
+/** @return A regular file for reading; NULL: it is none, as a FIFO, which would be waited for.
+ *  @param largest Its largest size, bytes. */
+static FILE *open_file(const char *path, int64_t largest) {
+    Error error = {0};
+    struct stat info;
+    int file = regular_file_open(path, &info, &error);
+    FILE *stream = file >= 0 && info.st_size <= largest ? fdopen(file, "r") : NULL;
+    if (file >= 0 && !stream) {
+        close(file);
+    }
+    return stream;
 }
 
 /** Reads a line without its end. @return false at the end of the file. */
@@ -35,7 +50,9 @@ static bool read_line(FILE *file, char line[LINE_SIZE]) {
 static void add_comment(const char *line, char title[SCENE_TITLE_SIZE]) {
     size_t used = strlen(title);
     const char *text = line + strspn(line, "- ");
-    snprintf(title + used, SCENE_TITLE_SIZE - used, "%s%s", used > 0 ? " " : "", text);
+    char rest[LINE_SIZE + 1];
+    snprintf(rest, sizeof rest, "%s%s", used > 0 ? " " : "", text);
+    SDL_utf8strlcpy(title + used, rest, SCENE_TITLE_SIZE - used);
 }
 
 /** Reads the title of a scene. @param mark Begins the line of the language that is wanted. */
@@ -57,18 +74,20 @@ static void read_scene_title(FILE *file, const char *mark, char title[SCENE_TITL
         end[1] = '\0';
     }
     if (title[0] == '\0') {
-        snprintf(title, SCENE_TITLE_SIZE, "%s", english[0] != '\0' ? english : comment);
+        SDL_utf8strlcpy(title, english[0] != '\0' ? english : comment, SCENE_TITLE_SIZE);
     }
 }
 
-/** Copies a text in quotes. @param from The quote before it. */
+/** Copies a text in quotes. @param from The quote before it, in a line. */
 static void copy_quoted(const char *from, char title[SCENE_TITLE_SIZE]) {
+    char text[LINE_SIZE];
     size_t length = 0;
-    for (const char *c = from + 1; *c && *c != *from && length + 1 < SCENE_TITLE_SIZE; c++) {
+    for (const char *c = from + 1; *c && *c != *from; c++) {
         c += *c == '\\' && c[1] ? 1 : 0;
-        title[length++] = *c;
+        text[length++] = *c;
     }
-    title[length] = '\0';
+    text[length] = '\0';
+    SDL_utf8strlcpy(title, text, SCENE_TITLE_SIZE);
 }
 
 /** Reads the title of a lesson. @param key The field of the language that is wanted. */
@@ -87,7 +106,7 @@ static void read_lesson_title(FILE *file, const char *key, char title[SCENE_TITL
 
 void scene_title_read(const char *path, bool is_lesson, bool is_french,
                       char title[SCENE_TITLE_SIZE]) {
-    FILE *file = fopen(path, "re");
+    FILE *file = open_file(path, INT64_MAX);
     title[0] = '\0';
     if (file && is_lesson) {
         read_lesson_title(file, is_french ? "fr =" : "en =", title);
@@ -99,28 +118,16 @@ void scene_title_read(const char *path, bool is_lesson, bool is_french,
     }
 }
 
-/** @return A file for reading; NULL: it is none, or too large to be looked through. */
-static FILE *open_moderate_file(const char *path) {
-    Error error = {0};
-    struct stat info;
-    int file = regular_file_open(path, &info, &error);
-    FILE *stream = file >= 0 && info.st_size <= NAMED_FILE_MAXIMUM ? fdopen(file, "r") : NULL;
-    if (file >= 0 && !stream) {
-        close(file);
-    }
-    return stream;
-}
-
 void scene_title_read_name(const char *path, bool is_french, char *name, size_t size) {
     const char *mark = is_french ? "-- fr name: " : "-- en name: ";
     char line[LINE_SIZE];
-    FILE *file = open_moderate_file(path);
+    FILE *file = open_file(path, NAMED_FILE_MAXIMUM);
     bool is_found = false;
     while (file && !is_found && read_line(file, line)) {
         is_found = begins_with(line, mark);
     }
     if (is_found) {
-        snprintf(name, size, "%s", line + strlen(mark));
+        SDL_utf8strlcpy(name, line + strlen(mark), size);
     }
     if (file) {
         fclose(file);

@@ -14,7 +14,7 @@ enum { SCENE_TITLE_SIZE = 256 };
 /**
  * Reads the title of a scene: its line `-- en: ...` or `-- fr: ...`, else the first sentence of the
  * comment at its beginning; or the title of a lesson.
- * @param path        The file.
+ * @param path        The file; only a regular one is read.
  * @param is_lesson   Whether it is a lesson.
  * @param is_french   Whether French is wanted; English stands in for it.
  * @param[out] title  The title; empty: there is none.

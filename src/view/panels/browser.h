@@ -28,8 +28,6 @@ typedef struct Browser {
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
     bool is_requested;                /**< Whether the selected scene was clicked. */
-    bool is_part_requested;           /**< Whether the button of a part was clicked. */
-    BrowserPart requested_part;       /**< That part. */
     bool is_close_requested;          /**< Whether the button that closes the list was clicked. */
     bool follows_mouse;               /**< Whether the mouse was moved after the last key. */
     size_t described; /**< Index of the scene whose title is shown: the one under the mouse if it

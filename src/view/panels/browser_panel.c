@@ -34,12 +34,14 @@ static SDL_Texture *thumbnail_texture(Browser *browser, size_t index, SDL_Render
     return browser->textures[index];
 }
 
-/** Shows the buttons that go to the lessons and to the scenes. */
-static void show_parts(Browser *browser, const BrowserOrder *order) {
+/** Shows the buttons that go to the lessons and to the scenes. @return The #BrowserPart whose
+ * button was clicked; -1: none. */
+static int show_parts(const Browser *browser, const BrowserOrder *order) {
     const char *const names[] = {
         [BROWSER_LESSONS] = gettext("Lessons"), [BROWSER_SCENES] = gettext("Scenes")};
     const size_t counts[] = {
         [BROWSER_LESSONS] = order->lessons, [BROWSER_SCENES] = order->count - order->lessons};
+    int clicked = -1;
     for (int i = BROWSER_LESSONS; i <= BROWSER_SCENES; i++) {
         char label[HEADER_SIZE];
         snprintf(label, sizeof label, "%s (%zu)", names[i], counts[i]);
@@ -48,23 +50,25 @@ static void show_parts(Browser *browser, const BrowserOrder *order) {
         }
         const bool is_here = counts[i] > 0 && (int)browser_part(browser, order) == i;
         if (gui_step_button(label, gettext("go there — Tab"), counts[i] > 0, is_here)) {
-            browser->requested_part = (BrowserPart)i;
-            browser->is_part_requested = true;
+            clicked = i;
         }
     }
+    return clicked;
 }
 
-/** Writes what is searched, and shows the buttons that go through the list and close it. */
-static void show_header(Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
+/** Writes what is searched, and shows the buttons that go through the list and close it. @return
+ * See #show_parts. */
+static int show_header(Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
     const char *close = gettext("✕ close");
     gui_panel_begin("scenes header", rect);
-    show_parts(browser, order);
+    const int part = show_parts(browser, order);
     gui_at_right(close);
     if (gui_step_button(close, gettext("back to the picture — Esc"), true, false)) {
         browser->is_close_requested = true;
     }
     gui_search_box(browser->filter, gettext("Type to search; click, or arrows and Enter"));
     gui_panel_end();
+    return part;
 }
 
 /** Writes the title of the scene that is described, or its error. */
@@ -152,12 +156,11 @@ void browser_show(Browser *browser, SDL_Renderer *renderer, const GuiRect *room)
     BrowserOrder order;
     scene_list_lock(&browser->list);
     browser_order(browser, &order);
-    show_header(browser, &order, &header);
+    const int part = show_header(browser, &order, &header);
     show_scenes(browser, &order, &scenes, renderer);
     show_footer(browser, &order, &footer);
     scene_list_unlock(&browser->list);
-    if (browser->is_part_requested) {
-        browser->is_part_requested = false;
-        browser_go_to(browser, browser->requested_part); // It locks the list.
+    if (part >= 0) {
+        browser_go_to(browser, (BrowserPart)part); // It locks the list.
     }
 }

@@ -6,6 +6,7 @@
 
 #include "base/language.h"
 #include "view/gui/typeface.h"
+#include "view/state/way_out.h"
 
 #include <libintl.h>
 #include <stdio.h>
@@ -59,7 +60,7 @@ void help_write_list(const Help *help, HelpList *list) {
     const Command *previous = NULL;
     list->count = 0;
     for (const Command *command = help->commands; command_is_row(command); command++) {
-        if (!command->group) {
+        if (!command->group || (command_is(command, "quit") && !way_out_exists())) {
             continue;
         }
         bool is_new_group = !previous || strcmp(previous->group, command->group) != 0;

@@ -58,10 +58,10 @@ static void add_cost(Hud *hud, const Viewport *viewport) {
     /** A million rays. */
     const double million = 1e6;
     if (milliseconds > 0 && previous > 0) {
-        hud_add_row(hud, gettext("all pixels"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
+        hud_add_row(hud, gettext("first pass"), "%.1f ms, %+.1f (× %.2g)", milliseconds,
                     milliseconds - previous, milliseconds / previous);
     } else if (milliseconds > 0) {
-        hud_add_row(hud, gettext("all pixels"), "%.1f ms", milliseconds);
+        hud_add_row(hud, gettext("first pass"), "%.1f ms", milliseconds);
     }
     if (viewport->report.is_finished) {
         hud_add_row(hud, gettext("in all"), "%.1f ms", viewport->report.seconds * 1e3);

@@ -102,7 +102,7 @@ void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
         append(text, ", ");
         append_value(&readout->readings[0], text);
         if (readout->readings[0].layer == LAYER_SHADED && readout->samples > 1) {
-            append(text, gettext(" (mean of %d samples)"), readout->samples);
+            append(text, gettext(" (mean of up to %d samples)"), readout->samples);
         }
         return;
     }

@@ -24,8 +24,9 @@ typedef struct PixelReadout {
                                                   one under the mouse. */
     PixelReading readings[READOUT_PICTURES]; /**< What it shows: in the left picture first. */
     size_t count;                            /**< Number of pictures. */
-    int samples;                             /**< Samples that the colour of one picture is the
-                                                  mean of. */
+    int samples;                             /**< Most samples that the colour of one picture is
+                                                  the mean of: where the first ones agree, it is
+                                                  that of fewer. */
 } PixelReadout;
 
 /** Writes the value of one picture alone. */

@@ -48,7 +48,7 @@ void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, in
     const int code[3] = {encoder_encode(&encoder, (float)color->red),
                          encoder_encode(&encoder, (float)color->green),
                          encoder_encode(&encoder, (float)color->blue)};
-    // The picture's pixel is the mean of all samples.
+    // The picture's pixel is the mean of its samples.
     snprintf(ray_view->heading, sizeof ray_view->heading,
              gettext("Pixel %d %d, one ray: #%02x%02x%02x"), x, y, (unsigned)code[0],
              (unsigned)code[1], (unsigned)code[2]);

@@ -9,6 +9,7 @@
 #include "dioptre/scene.h"
 #include "dioptre/scene_words.h"
 #include "view/panels/tooltip.h"
+#include "view/state/way_out.h"
 
 #include <libintl.h>
 #include <math.h>
@@ -160,17 +161,22 @@ static void menu(Toolbar *toolbar, const ToolbarContent *content) {
                                            "full screen", "text larger",  "text smaller",
                                            "language",    "record",       "quit"};
     enum { COUNT = sizeof commands / sizeof *commands };
+    const bool has_way_out = way_out_exists();
+    const int count = has_way_out ? COUNT : COUNT - 1; // The last one is the way out.
     char texts[COUNT][TOOLTIP_SIZE];
     const char *entries[COUNT];
     if (toolbar->is_folded) {
         command_button(toolbar, content, "☰", "toolbar", false);
         return;
     }
-    for (size_t i = 0; i < COUNT; i++) {
+    for (int i = 0; i < count; i++) {
         entries[i] = tooltip_write(content->help, commands[i], texts[i]);
     }
-    int chosen = gui_menu("☰", gettext("bar, letters, language, lessons to record, the way out"),
-                          entries, COUNT);
+    int chosen =
+        gui_menu("☰",
+                 has_way_out ? gettext("bar, letters, language, lessons to record, the way out")
+                             : gettext("bar, letters, language, lessons to record"),
+                 entries, count);
     request(toolbar, chosen >= 0 ? commands[chosen] : NULL, chosen >= 0);
 }
 

@@ -54,9 +54,19 @@ const fieldOption = (field) => ({
   detail: field.choices.length > 0 ? field.choices.map((choice) => `"${choice}"`).join(" ") : field.unit, info: field.help || undefined,
 });
 
-/** Completes the fields of a keyword inside its braces, choices inside quotes, keywords and functions elsewhere. */
-const completeFrom = ({ keywords: words, functions }) => (context) => {
+/** A text is a lesson if it calls `lesson` at the beginning of a line. */
+const isLesson = (text) => /^lesson\b/m.test(text);
+/** An unfinished name of an action: `hold("camera r` or `press "ho`. */
+const OPEN_ACTION = /\b(?:press|release|hold)\s*\(?\s*"([\w ]*)$/;
+
+/** Completes the fields of a keyword inside its braces, choices and actions inside quotes, keywords and functions elsewhere. */
+const completeFrom = ({ keywords: words, functions, lesson_functions: lessonFunctions, actions }) => (context) => {
   const before = context.state.sliceDoc(0, context.pos);
+  const ofLesson = isLesson(context.state.sliceDoc()) ? lessonFunctions : [];
+  const action = ofLesson.length > 0 && OPEN_ACTION.exec(before);
+  if (action) {
+    return { from: context.pos - action[1].length, options: actions.map((label) => ({ label, type: "enum" })) };
+  }
   const keyword = openKeyword(before, words);
   const quoted = /(\w+)\s*=\s*"(\w*)$/.exec(before);
   if (quoted && keyword) {
@@ -69,7 +79,7 @@ const completeFrom = ({ keywords: words, functions }) => (context) => {
     return null;
   }
   const keywords = words.map((word) => ({ label: word.name, type: "class", info: word.help || undefined }))
-    .concat(functions.map((label) => ({ label, type: "function" })));
+    .concat([...ofLesson, ...functions].map((label) => ({ label, type: "function" })));
   const isValue = /[=(+*/^-]\s*[\w.]*$/.test(before);
   return { from: typed ? typed.from : context.pos, options: keyword && !isValue ? keyword.fields.map(fieldOption)
     .concat(keyword.is_shape ? [{ label: "material", type: "property", apply: "material = " }] : []) : keywords };

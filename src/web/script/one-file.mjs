@@ -8,7 +8,7 @@ import { gzipSync } from "node:zlib";
 const [folder, output] = process.argv.slice(2);
 const read = (name) => readFileSync(join(folder, name));
 const { later } = JSON.parse(read("files.json"));
-const names = ["files.json", "editor.js", "dioptre-single.js", "dioptre-single.wasm", "dioptre.data", ...later.map((name) => "scenes/" + name)];
+const names = ["files.json", "editor.js", "dioptre-single.js", "dioptre-single.wasm", "dioptre.data", "models.wasm", ...later.map((name) => "scenes/" + name)];
 const contents = names.map(read);
 const index = Buffer.from(JSON.stringify(names.map((name, i) => [name, contents[i].length])));
 const size = Buffer.alloc(4);

@@ -9,13 +9,22 @@ import { isFrench, say, translate } from "./words.js";
 const SCENES = "/scenes/";
 /** Where snapshots and lessons go that the program writes. */
 const HOME = "/home/web_user";
+/** Where the program finds the one that reads models other than OBJ, and what that reads. */
+const READER = "/dioptre/models.wasm", READ_BY_READER = /\.(ply|stl|glb|gltf)$/i;
 /** Milliseconds without a key before the text is drawn. */
 const EDIT_DELAY = 150;
 /** Milliseconds between two looks for what the program has written. */
 const OFFER_DELAY = 1000;
+/** How often the program is told a size, and milliseconds between. */
+const FIT_TRIES = 20, FIT_DELAY = 100;
+/** Milliseconds from the program's word that there is a picture until it is on the screen. */
+const SCREEN_DELAY = 50;
 const $ = (id) => document.getElementById(id);
 
 let module = null, editor = null, shown = "", opened = null;
+/** Kept once a picture can be seen: nothing that comes later shall delay it. */
+let tellPicture = null;
+const picture = new Promise((resolve) => { tellPicture = resolve; });
 
 const setMessage = (words) => { $("message").textContent = words; };
 const showError = (words) => { $("errors").textContent = words; };
@@ -34,11 +43,19 @@ const clearErrors = () => {
   editor?.setErrors([]);
 };
 
+/** When the file of the scene was written whose text the editor has, milliseconds. */
+let textTime = 0;
+const fileTime = () => module.FS.stat(shown).mtime.getTime();
+const showText = () => {
+  editor?.setText(module.FS.readFile(shown, { encoding: "utf8" }));
+  textTime = fileTime();
+};
+
 /** Shows the text of the scene that the window shows. */
 const showScene = (path) => {
   setMessage("");
   shown = path;
-  editor?.setText(module.FS.readFile(path, { encoding: "utf8" }));
+  showText();
   clearErrors();
   const name = path.slice(SCENES.length);
   if (![...$("scenes").options].some((option) => option.value === name)) {
@@ -55,12 +72,22 @@ const showScene = (path) => {
 const applyText = () => {
   clearErrors();
   module.FS.writeFile(shown, editor.text());
+  textTime = fileTime();
   module._web_file_changed();
 };
 let editTimer = 0;
 const onEdit = () => {
   clearTimeout(editTimer);
-  editTimer = setTimeout(applyText, EDIT_DELAY);
+  editTimer = setTimeout(() => {
+    editTimer = 0;
+    applyText();
+  }, EDIT_DELAY);
+};
+/** The window writes changed objects into the scene's file: the editor shows them, unless it has changes of its own. */
+const takeText = () => {
+  if (shown && editTimer === 0 && module.FS.analyzePath(shown).exists && fileTime() !== textTime) {
+    showText();
+  }
 };
 
 /** Shows what the program says; an error with its place at that line, too. */
@@ -95,6 +122,20 @@ const offerFiles = () => {
   }
 };
 
+/** Gives a text to the clipboard; where the page may not, as over plain http, through a field that is selected. @return Whether it is there. */
+const copyText = async (text) => {
+  if (await navigator.clipboard?.writeText(text).then(() => true).catch(() => false)) {
+    return true;
+  }
+  const focused = document.activeElement, field = document.body.appendChild(document.createElement("textarea"));
+  field.value = text;
+  field.select();
+  const isCopied = document.execCommand("copy");
+  field.remove();
+  focused?.focus();
+  return isCopied;
+};
+
 /** Copies a link to what the window shows. @param view See src/web/state.c. */
 const copyLink = async (view) => {
   const name = shown.slice(SCENES.length).replace(/\.lua$/, "").replace(/[^\w-]/g, "-").slice(0, 64);
@@ -105,49 +146,73 @@ const copyLink = async (view) => {
     showError(error.message);
     return;
   }
-  await navigator.clipboard.writeText(location.href)
-    .then(() => showError(say("The link is in the clipboard: it carries scene, view, layer and settings.")))
-    .catch(() => showError(say("Copy this link:") + " " + location.href));
+  showError(await copyText(location.href) ? say("The link is in the clipboard: it carries scene, view, layer and settings.")
+    : say("Copy this link:") + " " + location.href);
+};
+
+/** Fetches the program that reads models other than OBJ (src/web/models), unless it is there. */
+const fetchReader = async () => {
+  if (!module.FS.analyzePath(READER).exists) {
+    const bytes = await readFile("models.wasm").catch(() => null);
+    bytes && module.FS.writeFile(READER, bytes);
+  }
 };
 
 /** Puts files that are dropped beside the scenes; a scene among them is opened. */
 const drop = async (event) => {
   event.preventDefault();
-  for (const file of event.dataTransfer.files) {
-    const name = file.name.replace(/[^\w.-]/g, "-");
-    module.FS.writeFile(SCENES + name, new Uint8Array(await file.arrayBuffer()));
-    if (/\.(lua|nff)$/.test(name)) {
-      openScene(name);
-    }
+  const files = [...event.dataTransfer.files];
+  if (files.some((file) => READ_BY_READER.test(file.name))) {
+    await fetchReader();
   }
+  const nameOf = (file) => file.name.replace(/[^\w.-]/g, "-");
+  for (const file of files) {
+    module.FS.writeFile(SCENES + nameOf(file), new Uint8Array(await file.arrayBuffer()));
+  }
+  // Once all of them are there: a scene may name the others.
+  files.map(nameOf).filter((name) => /\.(lua|nff)$/.test(name)).forEach(openScene);
   module._web_file_changed();
 };
 
-/** All files beside the scenes, for a command. */
+/** All files beside the scenes. */
 const sceneFiles = (folder = SCENES.slice(0, -1)) => module.FS.readdir(folder).filter((name) => name !== "." && name !== "..")
   .flatMap((name) => {
     const path = folder + "/" + name;
     return module.FS.isDir(module.FS.stat(path).mode) ? sceneFiles(path) : [[path, module.FS.readFile(path)]];
   });
 
+/** The files that a command may need. */
+const commandFiles = () => sceneFiles().concat(module.FS.analyzePath(READER).exists ? [[READER, module.FS.readFile(READER)]] : []);
+
 const toggle = (button, section) => {
   $(section).hidden = !$(section).hidden;
   $(button).setAttribute("aria-expanded", String(!$(section).hidden));
 };
 
-/** The window follows its element: when the page changes its size, and when the program asks for another. */
+/** The window follows its element: when the page changes its size, and when the program asks for another. A program that is just about
+ * to get the size that it asked for does not hear of another: it is told until it has the right one. */
 const fitCanvas = () => {
   const canvas = $("canvas"), fit = () => window.dispatchEvent(new Event("resize"));
+  const isFit = () => {
+    const { width, height } = canvas.getBoundingClientRect();
+    return Math.abs(canvas.width - width * devicePixelRatio) <= 1 && Math.abs(canvas.height - height * devicePixelRatio) <= 1;
+  };
+  let timer = 0;
+  const fitSoon = (tries, delay) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      if (!isFit() && tries > 0) {
+        fit();
+        fitSoon(tries - 1, FIT_DELAY);
+      }
+    }, delay);
+  };
   new ResizeObserver(fit).observe($("stage"));
-  new MutationObserver(() => {
-    if (Math.abs(canvas.width - canvas.clientWidth * devicePixelRatio) > 1 ||
-        Math.abs(canvas.height - canvas.clientHeight * devicePixelRatio) > 1) {
-      setTimeout(fit, 0);
-    }
-  }).observe(canvas, { attributeFilter: ["width", "height"] });
+  new MutationObserver(() => fitSoon(FIT_TRIES, 0)).observe(canvas, { attributeFilter: ["width", "height"] });
 };
 
 const listen = () => {
+  fitCanvas();
   $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
   $("scenes").addEventListener("change", () => openScene($("scenes").value));
   $("share").addEventListener("click", () => module._web_ask_state());
@@ -155,9 +220,10 @@ const listen = () => {
   $("commands").addEventListener("click", () => toggle("commands", "panel"));
   const canvas = $("canvas");
   canvas.addEventListener("pointerdown", () => canvas.focus());
-  // The window's keys; those with Ctrl, Alt or the system's key stay the browser's.
+  // The window's keys; those with Ctrl, Alt or the system's key stay the browser's, but for those that change and save objects.
   canvas.addEventListener("keydown", (event) => {
-    if (!event.ctrlKey && !event.altKey && !event.metaKey && event.key !== "Tab" && event.key !== "F5") {
+    const isPlain = !event.ctrlKey && !event.altKey && !event.metaKey && event.key !== "Tab" && event.key !== "F5";
+    if (isPlain || (event.ctrlKey && !event.altKey && /^[cszy]$/i.test(event.key))) {
       event.preventDefault();
     }
   });
@@ -169,21 +235,21 @@ const listen = () => {
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", drop);
   window.addEventListener("hashchange", () => location.reload());
-  setInterval(offerFiles, OFFER_DELAY);
+  setInterval(() => {
+    offerFiles();
+    takeText();
+  }, OFFER_DELAY);
 };
 
 /** Once the first picture is there: the words of the editor, pictures and models. */
 const afterPicture = async (later) => {
-  while (!(module.SDL2 && module.SDL2.image && shown)) {
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
-  performance.mark("picture");
+  await picture;
   await loadScript("editor.js");
   const pointer = module._web_words();
   editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
   module._free(pointer);
-  editor.setText(module.FS.readFile(shown, { encoding: "utf8" }));
-  createPanel({ scene: () => shown, files: sceneFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
+  showText();
+  createPanel({ scene: () => shown, files: commandFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
   self.dioptre = { editor, module };
   for (const name of later) {
     await fetchFile(name);
@@ -252,7 +318,9 @@ const start = async () => {
         refusal = "";
       }
     },
+    onPicture: () => setTimeout(tellPicture, SCREEN_DELAY),
     onState: copyLink,
+    onCopy: copyText,
     onDescription: (facts) => $("canvas").setAttribute("aria-label", describe($("scenes").value.replace(/\.lua$/, ""), JSON.parse(facts))),
     onStateRead: (isRight) => isRight || showError(say("The link is damaged: its view is left out.")),
     onAbort: () => setMessage(say("The program has failed. Reload the page to start it again.")),

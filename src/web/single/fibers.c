@@ -106,6 +106,10 @@ EMSCRIPTEN_KEEPALIVE void web_tick(void) {
         fibers.current = fibers.last = fiber;
         emscripten_fiber_swap(&fibers.root, &fiber->context);
         fibers.current = NULL;
+        if (fiber->has_ended) { // Who waits for its end may do so much later.
+            free(fiber->stack);
+            fiber->stack = NULL;
+        }
         now = clock_now_seconds();
         fiber = find_runnable(now);
     }

@@ -972,7 +972,7 @@ static void test_times(void **state) {
     assert_non_null(strstr(title, "4 samples, 2156.8 ms,"));
     viewport.previous_render_seconds = 0.5;
     hud_update(&hud, &content, 2);
-    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, -168.3 (× 0.66)");
+    assert_string_equal(hud_text(&hud, "first pass"), "331.7 ms, −168.3 (× 0.66)");
 }
 
 /** Settings that were tried have one point each; the front is what none beats in time and error. */
@@ -1100,7 +1100,7 @@ static void test_readout(void **state) {
     pixel_readout_write(&readout, text);
     assert_string_equal(text, "pixel 3 4 in the magnifier, sphere (line 35 of the scene)\n"
                               "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
-                              "left minus right: -0.5 scene units");
+                              "left minus right: −0.5 scene units");
     readout.readings[1].layer = LAYER_RAYS;
     pixel_readout_difference(readout.readings, text);
     assert_string_equal(text, "two different layers are not compared");

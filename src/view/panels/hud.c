@@ -5,6 +5,7 @@
 #include "view/panels/hud.h"
 
 #include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
 #include "view/state/settings_words.h"
 
@@ -27,7 +28,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(hud->row_texts[index], HUD_TEXT_SIZE, format, arguments);
     va_end(arguments);
-    language_localize_numbers(hud->row_texts[index], HUD_TEXT_SIZE);
+    typeset_numbers(hud->row_texts[index], HUD_TEXT_SIZE);
     hud->rows[index] = (GuiRow){.text = hud->row_texts[index]};
     SDL_strlcpy(hud->rows[index].label, label, GUI_LABEL_SIZE);
     return &hud->rows[index];

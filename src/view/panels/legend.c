@@ -4,7 +4,7 @@
  */
 #include "view/panels/legend.h"
 
-#include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "render/palette.h"
 #include "view/panels/thing_title.h"
 
@@ -27,7 +27,7 @@ static void add_note(Legend *legend, const char *format, ...) {
         va_start(arguments, format);
         vsnprintf(legend->notes[legend->note_count], LEGEND_TEXT_SIZE, format, arguments);
         va_end(arguments);
-        language_localize_numbers(legend->notes[legend->note_count++], LEGEND_TEXT_SIZE);
+        typeset_numbers(legend->notes[legend->note_count++], LEGEND_TEXT_SIZE);
     }
 }
 
@@ -41,7 +41,7 @@ static void write_count(char text[LEGEND_TEXT_SIZE], const char *kind, uint64_t 
     } else {
         snprintf(text, LEGEND_TEXT_SIZE, gettext("%s: %llu (%.3g %%)"), kind, number, percent);
     }
-    language_localize_numbers(text, LEGEND_TEXT_SIZE);
+    typeset_numbers(text, LEGEND_TEXT_SIZE);
 }
 
 /** Adds a number of pixels, and that it is not the last word while the picture is drawn. */
@@ -62,7 +62,7 @@ static void write_texts(Legend *legend) {
         const LegendEntry *entry = &legend->entries[i];
         snprintf(legend->texts[i], LEGEND_TEXT_SIZE, "%s",
                  entry->label ? gettext(entry->label) : entry->number);
-        language_localize_numbers(legend->texts[i], LEGEND_TEXT_SIZE);
+        typeset_numbers(legend->texts[i], LEGEND_TEXT_SIZE);
         legend->has_bar = legend->has_bar || entry->position >= 0;
     }
 }

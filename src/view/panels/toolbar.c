@@ -5,6 +5,7 @@
 #include "view/panels/toolbar.h"
 
 #include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
 #include "view/panels/tooltip.h"
 #include "view/state/settings_words.h"
@@ -107,7 +108,7 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     const double shown = fmax(trace->epsilon, EPSILON_LOW);
     double epsilon = shown;
     snprintf(label, sizeof label, "ε %.1e", trace->epsilon);
-    language_localize_numbers(label, sizeof label);
+    typeset_numbers(label, sizeof label);
     if (gui_log_slider(
             "epsilon", &epsilon, EPSILON_LOW, EPSILON_HIGH, label, trace->offset == OFFSET_FIXED,
             tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {

@@ -7,6 +7,7 @@
 #include "assets/process/worker_main.h"
 #include "assets/process/worker_process.h"
 #include "base/language.h"
+#include "base/typeset_numbers.h"
 
 #include <libintl.h>
 #include <pthread.h>
@@ -101,11 +102,53 @@ static void test_numbers(void **state) {
     assert_string_equal(room, "(0,5\xc2\xa0; 1, 2)");
 }
 
+/** Numbers that are only read have a minus sign, powers of ten, and in French groups of digits;
+ *  names and hyphens stay. */
+static void test_typeset(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *english, *french;
+    } cases[] = {
+        {"1.0e-04 ms", "1.0 × 10⁻⁴ ms", "1,0 × 10⁻⁴ ms"},
+        {"2e+20, 3e-300, 1e+00", "2 × 10²⁰, 3 × 10⁻³⁰⁰, 1 × 10⁰", "2 × 10²⁰, 3 × 10⁻³⁰⁰, 1 × 10⁰"},
+        {"(-0.5, 1e-05)", "(−0.5, 1 × 10⁻⁵)", "(−0,5 ; 1 × 10⁻⁵)"},
+        {"1 / 2e-05 = 1 / 3e-05² = -4", "1 / (2 × 10⁻⁵) = 1 / (3 × 10⁻⁵)² = −4",
+         "1 / (2 × 10⁻⁵) = 1 / (3 × 10⁻⁵)² = −4"},
+        {"480000, 1234, 12345678.5", "480000, 1234, 12345678.5", "480 000, 1234, 12 345 678,5"},
+        {"0.123456 00012", "0.123456 00012", "0,123456 00012"},
+        {"f32x16 box-0001 scene-12345.lua 1e5x a-3 2-3 12345px", NULL, NULL},
+        {"12345_6 _12345 --4 (5)-6", NULL, NULL},
+        {"", "", ""},
+    };
+    for (int is_french = 0; is_french < 2; is_french++) {
+        language_init_as(is_french);
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            const char *wanted = is_french ? cases[i].french : cases[i].english;
+            char text[128];
+            strcpy(text, cases[i].text);
+            typeset_numbers(text, sizeof text);
+            assert_string_equal(text, wanted ? wanted : cases[i].text);
+            typeset_numbers(text, sizeof text); // What is set stays as it is.
+            assert_string_equal(text, wanted ? wanted : cases[i].text);
+        }
+    }
+    char full[] = "(0.5) -1"; // Two bytes more are wanted.
+    typeset_numbers(full, sizeof full);
+    assert_string_equal(full, "(0,5) -1");
+    char longer[2 * TYPESET_TEXT_SIZE], before[sizeof longer];
+    memset(longer, 'x', sizeof longer);
+    strcpy(longer + sizeof longer - 4, " -1");
+    strcpy(before, longer);
+    typeset_numbers(longer, sizeof longer);
+    assert_string_equal(longer, before);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(int argc, char **argv) {
     static const WorkerTask tasks[] = {{"translate", translate_task}, {0}};
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_workers),
-                                       cmocka_unit_test(test_numbers)};
+                                       cmocka_unit_test(test_numbers),
+                                       cmocka_unit_test(test_typeset)};
     if (worker_is_requested(argc, argv)) {
         worker_main(argv, tasks);
     }

@@ -4,7 +4,7 @@
  */
 #include "render/ray_pane.h"
 
-#include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "render/ray_microscope.h"
 #include "render/renderer_internal.h"
 
@@ -25,7 +25,7 @@ static void write_text(const RayPaneInput *input, double x, double y, const char
     cairo_t *cairo = input->drawing.cairo;
     char shown[LINE_SIZE];
     snprintf(shown, sizeof shown, "%s", text);
-    language_localize_numbers(shown, sizeof shown);
+    typeset_numbers(shown, sizeof shown);
     cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, input->text_size);
     cairo_set_source_rgb(cairo, 0, 0, 0);

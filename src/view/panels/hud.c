@@ -5,8 +5,9 @@
 #include "view/panels/hud.h"
 
 #include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
-#include "dioptre/scene_words.h"
+#include "view/state/settings_words.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -27,7 +28,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(hud->row_texts[index], HUD_TEXT_SIZE, format, arguments);
     va_end(arguments);
-    language_localize_numbers(hud->row_texts[index], HUD_TEXT_SIZE);
+    typeset_numbers(hud->row_texts[index], HUD_TEXT_SIZE);
     hud->rows[index] = (GuiRow){.text = hud->row_texts[index]};
     SDL_strlcpy(hud->rows[index].label, label, GUI_LABEL_SIZE);
     return &hud->rows[index];
@@ -35,7 +36,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
 
 /** Adds the offset strategy. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
-    const char *name = scene_value_word("offset", offset_strategy_names[trace->offset]);
+    const char *name = offset_strategy_word(trace->offset);
     if (trace->offset == OFFSET_FIXED) {
         hud_add_row(hud, gettext("offset"), "%s, ε = %.3g", name, trace->epsilon);
     } else {

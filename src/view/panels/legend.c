@@ -4,8 +4,7 @@
  */
 #include "view/panels/legend.h"
 
-#include "base/language.h"
-#include "dioptre/scene_words.h"
+#include "base/typeset_numbers.h"
 #include "render/palette.h"
 #include "view/panels/thing_title.h"
 
@@ -28,7 +27,7 @@ static void add_note(Legend *legend, const char *format, ...) {
         va_start(arguments, format);
         vsnprintf(legend->notes[legend->note_count], LEGEND_TEXT_SIZE, format, arguments);
         va_end(arguments);
-        language_localize_numbers(legend->notes[legend->note_count++], LEGEND_TEXT_SIZE);
+        typeset_numbers(legend->notes[legend->note_count++], LEGEND_TEXT_SIZE);
     }
 }
 
@@ -42,7 +41,7 @@ static void write_count(char text[LEGEND_TEXT_SIZE], const char *kind, uint64_t 
     } else {
         snprintf(text, LEGEND_TEXT_SIZE, gettext("%s: %llu (%.3g %%)"), kind, number, percent);
     }
-    language_localize_numbers(text, LEGEND_TEXT_SIZE);
+    typeset_numbers(text, LEGEND_TEXT_SIZE);
 }
 
 /** Adds a number of pixels, and that it is not the last word while the picture is drawn. */
@@ -63,7 +62,7 @@ static void write_texts(Legend *legend) {
         const LegendEntry *entry = &legend->entries[i];
         snprintf(legend->texts[i], LEGEND_TEXT_SIZE, "%s",
                  entry->label ? gettext(entry->label) : entry->number);
-        language_localize_numbers(legend->texts[i], LEGEND_TEXT_SIZE);
+        typeset_numbers(legend->texts[i], LEGEND_TEXT_SIZE);
         legend->has_bar = legend->has_bar || entry->position >= 0;
     }
 }
@@ -110,11 +109,10 @@ static void add_reference(Legend *legend, const LegendContent *content) {
         return;
     }
     if (content->report->is_finished) {
-        add_note(legend, gettext("reference: %s"), scene_value_word("number", layer->reference));
+        add_note(legend, gettext("reference: %s"), layer->reference);
     } else {
         add_note(legend, gettext("reference %s: %.2g %% of the pixels, %.0f %% of the work"),
-                 scene_value_word("number", layer->reference), 100 * layer->measured_fraction,
-                 100 * content->progress);
+                 layer->reference, 100 * layer->measured_fraction, 100 * content->progress);
     }
 }
 

@@ -4,7 +4,7 @@
  */
 #include "view/panels/pixel_readout.h"
 
-#include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "view/panels/thing_title.h"
 
 #include <libintl.h>
@@ -23,7 +23,7 @@ static void append(char text[READOUT_SIZE], const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(text + used, READOUT_SIZE - used, format, arguments);
     va_end(arguments);
-    language_localize_numbers(text + used, READOUT_SIZE - used);
+    typeset_numbers(text + used, READOUT_SIZE - used);
 }
 
 /** Appends what the ray through the middle of the pixel meets. */

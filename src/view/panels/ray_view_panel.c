@@ -6,6 +6,7 @@
 #include "view/panels/ray_view.h"
 
 #include "base/language.h"
+#include "base/typeset_numbers.h"
 #include "view/gui/gui.h"
 #include "view/panels/tooltip.h"
 
@@ -33,7 +34,7 @@ static void add_screen_color(RayFormulas *sum, const char *text, const int code[
 /** Writes the numbers of formulas as readers of the language do. */
 static void localize_formulas(RayFormulas *formulas) {
     for (size_t i = 0; i < formulas->count; i++) {
-        language_localize_numbers(formulas->items[i].text, sizeof formulas->items[i].text);
+        typeset_numbers(formulas->items[i].text, sizeof formulas->items[i].text);
     }
 }
 
@@ -81,7 +82,7 @@ static void describe_ray(const RayTree *tree, const Scene *scene, size_t index,
     } else if (ray->kind != RAY_SHADOW) {
         double share = fmax(ray->weight.red, fmax(ray->weight.green, ray->weight.blue));
         snprintf(rest, size, gettext(kinds[ray->kind]), 100 * share, name);
-        language_localize_numbers(rest, size);
+        typeset_numbers(rest, size);
     } else if (ray->shape >= 0) {
         snprintf(rest, size, gettext("lamp %d: behind %s"), ray->light + 1, name);
     } else {

@@ -979,27 +979,35 @@ static void test_times(void **state) {
 static void test_settings_chart(void **state) {
     (void)state;
     SettingsChart chart = {.count = 0};
-    settings_chart_add(&chart, "float", 1, 2);
-    settings_chart_add(&chart, "double", 2, 1);
-    settings_chart_add(&chart, "slow", 3, 1.5);
-    settings_chart_add(&chart, "as fast as double", 2.05, 1.001);
-    assert_true(chart.points[0].is_pareto && chart.points[1].is_pareto);
-    assert_false(chart.points[2].is_pareto || chart.points[3].is_pareto);
-    settings_chart_add(&chart, "slow", 3, 0.5);
-    assert_int_equal((int)chart.count, 4);
-    assert_true(chart.points[2].is_pareto && settings_chart_has(&chart, "slow"));
-    for (int i = 0; i < SETTINGS_CHART_POINTS; i++) {
-        char name[SETTINGS_NAME_SIZE];
-        snprintf(name, sizeof name, "%d", i);
-        settings_chart_add(&chart, name, i + 1, 1);
-    }
-    assert_int_equal((int)chart.count, SETTINGS_CHART_POINTS);
-    assert_false(settings_chart_has(&chart, "slow"));
     Error error = {0};
-    char name[SETTINGS_NAME_SIZE];
     RenderSettings settings = {.engine = engine_find("f32x4", &error),
                                .samples = 16,
                                .trace = {.depth = 8, .offset = OFFSET_FIXED, .epsilon = 1e-4}};
+    RenderSettings precise = settings, slow = settings, as_fast = settings;
+    precise.engine = engine_find("f64x1", &error);
+    slow.samples = 64;
+    as_fast.trace.offset = OFFSET_BOUND;
+    settings_chart_add(&chart, &settings, 1, 2);
+    settings_chart_add(&chart, &precise, 2, 1);
+    settings_chart_add(&chart, &slow, 3, 1.5);
+    settings_chart_add(&chart, &as_fast, 2.05, 1.001);
+    assert_true(chart.points[0].is_pareto && chart.points[1].is_pareto);
+    assert_false(chart.points[2].is_pareto || chart.points[3].is_pareto);
+    settings_chart_add(&chart, &slow, 3, 0.5);
+    assert_int_equal((int)chart.count, 4);
+    assert_true(chart.points[2].is_pareto && settings_chart_has(&chart, &slow));
+    for (int i = 0; i < SETTINGS_CHART_POINTS; i++) {
+        RenderSettings other = settings;
+        other.trace.depth = 9 + i;
+        settings_chart_add(&chart, &other, i + 1, 1);
+    }
+    assert_int_equal((int)chart.count, SETTINGS_CHART_POINTS);
+    assert_false(settings_chart_has(&chart, &slow));
+    // The oldest are gone.
+    assert_int_equal(chart.points[0].settings.trace.depth, 9);
+    assert_int_equal(chart.points[SETTINGS_CHART_POINTS - 1].settings.trace.depth,
+                     9 + SETTINGS_CHART_POINTS - 1);
+    char name[SETTINGS_NAME_SIZE];
     settings_name_write(&settings, name);
     assert_string_equal(name, "float, fixed 0.0001, 8 × 16");
 }

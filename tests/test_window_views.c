@@ -229,9 +229,18 @@ static void check_chart(Fixture *fixture) {
     SettingsChartPanel *panel = &fixture->window.settings_chart;
     panel->is_open = true;
     panel->has_failed = true; // Nothing is measured behind the test's back.
-    settings_chart_add(&panel->chart, "float, none, 3 × 16", 0.0123, 4.5);
-    settings_chart_add(&panel->chart, "double, bound, 8 × 16", 0.0321, 0.00125);
-    settings_chart_add(&panel->chart, "quad, bound, 8 × 128", 12.5, 0);
+    Error error = {0};
+    const RenderSettings settings[] = {
+        {.engine = engine_find("f32x4", &error), .samples = 16, .trace = {.depth = 3}},
+        {.engine = engine_find("f64x1", &error),
+         .samples = 16,
+         .trace = {.depth = 8, .offset = OFFSET_BOUND}},
+        {.engine = engine_find("f128x1", &error),
+         .samples = 128,
+         .trace = {.depth = 8, .offset = OFFSET_BOUND}}};
+    settings_chart_add(&panel->chart, &settings[0], 0.0123, 4.5);
+    settings_chart_add(&panel->chart, &settings[1], 0.0321, 0.00125);
+    settings_chart_add(&panel->chart, &settings[2], 12.5, 0);
     check_frame(fixture, "chart", 5);
     panel->is_open = false;
 }

@@ -15,11 +15,4 @@
  */
 const char *scene_word(const char *word);
 
-/**
- * @param setting  What the word is a value of: `offset`, `number` (the number type).
- * @param word     The value, as files and options have it: `bound`, `float`.
- * @return Its name in the user's language; the word itself where there is no other.
- */
-const char *scene_value_word(const char *setting, const char *word);
-
 #endif

@@ -9,6 +9,7 @@
 
 #include "base/language.h"
 
+#include <libintl.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -84,34 +85,10 @@ static const SceneWord words[] = {
     {"flat", N_("flat")},
 };
 
-/** A value of a setting and its name. */
-typedef struct ValueWord {
-    const char *setting; /**< The setting. */
-    const char *word;    /**< In files and options. */
-    const char *name;    /**< For a reader, in English. */
-} ValueWord;
-
-/** Values of settings. */
-static const ValueWord value_words[] = {
-    {"offset", "none", NC_("offset", "none")},     {"offset", "fixed", NC_("offset", "fixed")},
-    {"offset", "bound", NC_("offset", "bound")},   {"number", "float", NC_("number", "float")},
-    {"number", "double", NC_("number", "double")}, {"number", "quad", NC_("number", "quad")},
-};
-
 const char *scene_word(const char *word) {
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (strcmp(words[i].word, word) == 0) {
-            return language_word(words[i].name);
-        }
-    }
-    return word;
-}
-
-const char *scene_value_word(const char *setting, const char *word) {
-    for (size_t i = 0; i < sizeof value_words / sizeof *value_words; i++) {
-        const ValueWord *row = &value_words[i];
-        if (strcmp(row->setting, setting) == 0 && strcmp(row->word, word) == 0) {
-            return language_word(row->name);
+            return gettext(words[i].name);
         }
     }
     return word;

@@ -19,15 +19,13 @@ enum { PROGRESS_INTERVAL = 4096 };
 /** Fraction of the work that is done when the triangles are there. */
 static const double READ_FRACTION = 0.5;
 
-/** What #run_reader returns if the program fails. */
+/** What run_reader() returns if the program fails. */
 #define READER_FAILED ((ModelTriangles *)(intptr_t)-1)
 
 /**
- * Runs the program. It has no system: each of its calls of one gets 0. What it does wrong ends it.
- * @param program    Its bytes. @param program_size Their number.
- * @param extension  The format of a model file.
- * @param bytes      The file. @param size Its number of bytes.
- * @return The triangles, to be freed; NULL without memory; #READER_FAILED.
+ * Runs the program, whose bytes are given, on a model file: its format and its bytes. The program
+ * has no system: each of its calls of one gets 0. What it does wrong ends it. It gives the
+ * triangles, to be freed; NULL without memory; #READER_FAILED.
  */
 EM_JS(
     ModelTriangles *, run_reader,
@@ -64,7 +62,7 @@ EM_JS(
             console.log("a model: " + error);
             return -1;
         }
-    })
+    });
 
 /** Reads the bytes of the program. @param[out] size Their number. @return The bytes, to be freed;
  *  NULL: it is not there. */

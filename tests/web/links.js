@@ -56,6 +56,19 @@ const testRoundTrip = async (browser, url, query) => {
   check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
 };
 
+/** The scene of a link may be faulty, such as that of a pupil who asks what is wrong: its text is there to be mended. */
+const testFaulty = async (browser, url, query) => {
+  const problems = [], text = "camra { position = {0, 0, 5} }\nlight { position = {1, 2, 3} }\nsphere { center = {0, 0, 0}, radius = 1 }\n";
+  const page = await openPage(browser, `${url}${query}#${fragmentOf({ name: "box", text, view: "" })}`, problems);
+  check(await editorText(page) === text, "the text of a faulty scene comes with its link");
+  check(true, `and its error: ${await waitError(page, /box\.lua:1: .*camra/)}`);
+  await editText(page, text.replace("camra", "camera"));
+  await page.waitForFunction(() => /shapes: 1 sphere;/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
+  check(await errorText(page) === "", "it is drawn once it is mended");
+  check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
 /** What strangers may send, and a word of the answer. */
 const HOSTILE = {
   "too long": ["A".repeat(70000), /too long/],
@@ -97,6 +110,8 @@ module.exports = async (browser) => {
   const { server, url } = await serve(true);
   await testRoundTrip(browser, `${url}index.html`, "");
   await testRoundTrip(browser, `${url}index.html`, "?one-thread");
+  await testFaulty(browser, `${url}index.html`, "");
+  await testFaulty(browser, `${url}index.html`, "?one-thread");
   await testHostile(browser, url);
   server.close();
 };

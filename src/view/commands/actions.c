@@ -7,11 +7,11 @@
 #include "base/language.h"
 #include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
-#include "dioptre/scene_words.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/edits.h"
 #include "view/commands/recorder.h"
 #include "view/state/scene_text.h"
+#include "view/state/settings_words.h"
 
 #include <libintl.h>
 #include <stdlib.h>
@@ -98,21 +98,15 @@ static RenderSettings change_setting(App *app, SettingsChangeFn *change, int ste
     return window_requested_settings(&app->window);
 }
 
-/** @return The name of an offset strategy for a reader. */
-static const char *offset_word(OffsetStrategy offset) {
-    return scene_value_word("offset", offset_strategy_names[offset]);
-}
-
 void action_change_engine(App *app, int step) {
     const Engine *engine = change_setting(app, settings_override_engine, step).engine;
-    app_set_status(app, "number type: %s (%s)",
-                   scene_value_word("number", number_type_names[number_type_of(engine)]),
+    app_set_status(app, "number type: %s (%s)", number_type_word(number_type_of(engine)),
                    engine->name);
 }
 
 void action_change_offset(App *app, int step) {
     RenderSettings settings = change_setting(app, settings_override_offset, step);
-    app_set_status(app, "offset: %s", offset_word(settings.trace.offset));
+    app_set_status(app, "offset: %s", offset_strategy_word(settings.trace.offset));
 }
 
 void action_change_epsilon(App *app, int factor) {
@@ -124,7 +118,7 @@ void action_change_epsilon(App *app, int factor) {
     if (before != settings.trace.offset) {
         // The slider changes two settings at once, and only one of them is under the mouse.
         app_set_status(app, "epsilon: %s, offset: %s; the scene's own offset, %s, is off", epsilon,
-                       offset_word(settings.trace.offset), offset_word(before));
+                       offset_strategy_word(settings.trace.offset), offset_strategy_word(before));
     } else {
         app_set_status(app, "epsilon: %s", epsilon);
     }

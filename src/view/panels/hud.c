@@ -7,7 +7,7 @@
 #include "base/language.h"
 #include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
-#include "dioptre/scene_words.h"
+#include "view/state/settings_words.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -36,7 +36,7 @@ static GuiRow *hud_add_row(Hud *hud, const char *label, const char *format, ...)
 
 /** Adds the offset strategy. */
 static void add_offset(Hud *hud, const TraceSettings *trace) {
-    const char *name = scene_value_word("offset", offset_strategy_names[trace->offset]);
+    const char *name = offset_strategy_word(trace->offset);
     if (trace->offset == OFFSET_FIXED) {
         hud_add_row(hud, gettext("offset"), "%s, ε = %.3g", name, trace->epsilon);
     } else {

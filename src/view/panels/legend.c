@@ -5,7 +5,6 @@
 #include "view/panels/legend.h"
 
 #include "base/typeset_numbers.h"
-#include "dioptre/scene_words.h"
 #include "render/palette.h"
 #include "view/panels/thing_title.h"
 
@@ -110,11 +109,10 @@ static void add_reference(Legend *legend, const LegendContent *content) {
         return;
     }
     if (content->report->is_finished) {
-        add_note(legend, gettext("reference: %s"), scene_value_word("number", layer->reference));
+        add_note(legend, gettext("reference: %s"), layer->reference);
     } else {
         add_note(legend, gettext("reference %s: %.2g %% of the pixels, %.0f %% of the work"),
-                 scene_value_word("number", layer->reference), 100 * layer->measured_fraction,
-                 100 * content->progress);
+                 layer->reference, 100 * layer->measured_fraction, 100 * content->progress);
     }
 }
 

@@ -39,8 +39,8 @@ static bool take_point(SettingsChartPanel *panel) {
     double error = 0;
     bool is_taken = error_meter_take(&panel->meter, &error);
     if (is_taken && !isnan(error) && panel->pending_count > 0) {
-        const SettingsPoint *point = &panel->pending[0].point;
-        settings_chart_add(&panel->chart, point->name, point->seconds, error);
+        const SettingsPoint *point = &panel->pending[0];
+        settings_chart_add(&panel->chart, &point->settings, point->seconds, error);
         panel->pending_count--;
         memmove(panel->pending, panel->pending + 1, panel->pending_count * sizeof *panel->pending);
     }
@@ -49,14 +49,12 @@ static bool take_point(SettingsChartPanel *panel) {
 
 /** Notes settings and time of the picture on screen, unless they have a point or will have one. */
 static void note_picture(SettingsChartPanel *panel, const Viewport *viewport) {
-    PendingSettings next = {.settings = viewport->settings};
-    settings_name_write(&next.settings, next.point.name);
-    next.point.seconds = viewport->report.seconds;
+    SettingsPoint next = {.settings = viewport->settings, .seconds = viewport->report.seconds};
     next.settings.width = viewport->width;
     next.settings.height = viewport->height;
-    bool is_known = settings_chart_has(&panel->chart, next.point.name);
+    bool is_known = settings_chart_has(&panel->chart, &next.settings);
     for (size_t i = 0; i < panel->pending_count; i++) {
-        is_known = is_known || strcmp(panel->pending[i].point.name, next.point.name) == 0;
+        is_known = is_known || settings_have_same_name(&panel->pending[i].settings, &next.settings);
     }
     if (!is_known && panel->pending_count < PENDING_SETTINGS) {
         panel->pending[panel->pending_count++] = next;
@@ -95,13 +93,13 @@ bool settings_chart_panel_update(SettingsChartPanel *panel, const Viewport *view
 
 /** Writes what is measured, and how. */
 static void write_notes(const SettingsChartPanel *panel, char notes[2][NOTE_SIZE]) {
-    snprintf(
-        notes[0], NOTE_SIZE,
-        gettext("Time: of this picture. Error: of a picture of %d pixels, against %d samples in double."),
-        ERROR_METER_PIXELS, ERROR_METER_SAMPLES);
+    snprintf(notes[0], NOTE_SIZE,
+             gettext("Time: of this picture. Error: of a picture of %d pixels, against %d samples "
+                     "in double."),
+             ERROR_METER_PIXELS, ERROR_METER_SAMPLES);
     if (panel->meter.is_busy) {
         char name[SETTINGS_NAME_SIZE];
-        settings_name_translate(panel->pending[0].point.name, name);
+        settings_name_write(&panel->pending[0].settings, name);
         snprintf(notes[1], NOTE_SIZE, gettext("Measuring %s"), name);
     } else if (panel->has_failed) {
         snprintf(notes[1], NOTE_SIZE, "%s", gettext("There is no memory to measure."));
@@ -123,20 +121,20 @@ static const char *reason_for_none(const Viewport *viewport) {
 void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *viewport,
                                const SDL_Rect *area) {
     GuiChartPoint points[SETTINGS_CHART_POINTS];
-    char notes[2][NOTE_SIZE], rows[SETTINGS_CHART_POINTS][NOTE_SIZE], shown[SETTINGS_NAME_SIZE];
-    settings_name_write(&viewport->settings, shown);
+    char notes[2][NOTE_SIZE], rows[SETTINGS_CHART_POINTS][NOTE_SIZE];
     for (size_t i = 0; i < panel->chart.count; i++) {
         const SettingsPoint *point = &panel->chart.points[i];
         char name[SETTINGS_NAME_SIZE];
-        settings_name_translate(point->name, name);
+        settings_name_write(&point->settings, name);
         snprintf(rows[i], NOTE_SIZE, gettext("%s: %.4g ms, %.3g steps"), name, point->seconds * 1e3,
                  point->error);
         language_localize_numbers(rows[i], NOTE_SIZE);
-        points[i] = (GuiChartPoint){.name = rows[i],
-                                    .x = point->seconds * 1e3,
-                                    .y = point->error,
-                                    .is_front = point->is_pareto,
-                                    .is_shown = strcmp(point->name, shown) == 0};
+        points[i] = (GuiChartPoint){
+            .name = rows[i],
+            .x = point->seconds * 1e3,
+            .y = point->error,
+            .is_front = point->is_pareto,
+            .is_shown = settings_have_same_name(&point->settings, &viewport->settings)};
         snprintf(points[i].label, sizeof points[i].label, "%u", (unsigned)(i + 1) % 100);
     }
     write_notes(panel, notes);

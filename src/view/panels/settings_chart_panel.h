@@ -12,20 +12,14 @@
 /** Most settings whose error is still to be measured. */
 enum { PENDING_SETTINGS = 8 };
 
-/** Settings whose picture is timed, and whose error is still to be measured. */
-typedef struct PendingSettings {
-    SettingsPoint point;     /**< Name and time. */
-    RenderSettings settings; /**< The settings. */
-} PendingSettings;
-
 /** The panel. Starts as `{0}`: closed. */
 typedef struct SettingsChartPanel {
-    bool is_open;                              /**< Whether it is shown; else nothing is added. */
-    SettingsChart chart;                       /**< The points of this view. */
-    ErrorMeter meter;                          /**< Measures the first of #pending. */
-    PendingSettings pending[PENDING_SETTINGS]; /**< What is to be measured, in turn. */
-    size_t pending_count;                      /**< Number of them. */
-    LightingMode lighting;                     /**< Under which light the points were measured. */
+    bool is_open;                            /**< Whether it is shown; else nothing is added. */
+    SettingsChart chart;                     /**< The points of this view. */
+    ErrorMeter meter;                        /**< Measures the first of #pending. */
+    SettingsPoint pending[PENDING_SETTINGS]; /**< Points whose error is to be measured, in turn. */
+    size_t pending_count;                    /**< Number of them. */
+    LightingMode lighting;                   /**< Under which light the points were measured. */
     bool has_failed; /**< Whether there was no memory: nothing is measured any more. */
 } SettingsChartPanel;
 

@@ -7,8 +7,8 @@
 #include "base/language.h"
 #include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
-#include "dioptre/scene_words.h"
 #include "view/panels/tooltip.h"
+#include "view/state/settings_words.h"
 #include "view/state/way_out.h"
 
 #include <libintl.h>
@@ -100,7 +100,7 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
         [OFFSET_BOUND] = gettext("bound: as far above it as rounding can reach")};
     const char *names[OFFSET_BOUND + 1];
     for (int i = 0; i <= OFFSET_BOUND; i++) {
-        names[i] = scene_value_word("offset", offset_strategy_names[i]);
+        names[i] = offset_strategy_word((OffsetStrategy)i);
     }
     cyclic_choice(toolbar, content, "offset", names, explained, OFFSET_BOUND + 1,
                   (int)trace->offset);
@@ -124,7 +124,7 @@ static void ray_settings(Toolbar *toolbar, const ToolbarContent *content) {
     char depth[LABEL_SIZE], deepest[LABEL_SIZE];
     offset_widgets(toolbar, content);
     for (int i = 0; i < NUMBER_TYPE_COUNT; i++) {
-        types[i] = scene_value_word("number", number_type_names[i]);
+        types[i] = number_type_word((NumberType)i);
     }
     cyclic_choice(toolbar, content, "engine", types, types, NUMBER_TYPE_COUNT,
                   (int)number_type_of(settings->engine));

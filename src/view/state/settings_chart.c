@@ -7,10 +7,8 @@
 #include "base/language.h"
 #include "base/pareto_front.h"
 #include "dioptre/scene.h"
-#include "dioptre/scene_words.h"
-#include "view/state/settings_override.h"
+#include "view/state/settings_words.h"
 
-#include <libintl.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -24,39 +22,32 @@ void settings_name_write(const RenderSettings *settings, char name[SETTINGS_NAME
     const TraceSettings *trace = &settings->trace;
     char offset[SETTINGS_NAME_SIZE / 2];
     snprintf(offset, sizeof offset, trace->offset == OFFSET_FIXED ? "%s %.2g" : "%s",
-             offset_strategy_names[trace->offset], trace->epsilon);
+             offset_strategy_word(trace->offset), trace->epsilon);
     snprintf(name, SETTINGS_NAME_SIZE, "%s, %s, %d × %d%s%s",
-             number_type_names[number_type_of(settings->engine)], offset, trace->depth,
+             number_type_word(number_type_of(settings->engine)), offset, trace->depth,
              settings->samples, settings->method_set != METHODS_OWN ? ", " : "",
              settings->method_set != METHODS_OWN ? method_set_words[settings->method_set] : "");
+    language_localize_numbers(name, SETTINGS_NAME_SIZE);
 }
 
-void settings_name_translate(const char *name, char text[SETTINGS_NAME_SIZE]) {
-    char type[SETTINGS_NAME_SIZE] = "", offset[SETTINGS_NAME_SIZE] = "";
-    int length = 0;
-    // 63: SETTINGS_NAME_SIZE without the final zero.
-    if (sscanf(name, "%63[^,], %63[a-z]%n", type, offset, &length) == 2) {
-        snprintf(text, SETTINGS_NAME_SIZE, "%s, %s%s", scene_value_word("number", type),
-                 scene_value_word("offset", offset), name + length);
-    } else {
-        snprintf(text, SETTINGS_NAME_SIZE, "%s", name);
+bool settings_have_same_name(const RenderSettings *a, const RenderSettings *b) {
+    char names[2][SETTINGS_NAME_SIZE];
+    settings_name_write(a, names[0]);
+    settings_name_write(b, names[1]);
+    return strcmp(names[0], names[1]) == 0;
+}
+
+/** @return The index of the point of settings; the number of points: there is none. */
+static size_t find_point(const SettingsChart *chart, const RenderSettings *settings) {
+    size_t i = 0;
+    while (i < chart->count && !settings_have_same_name(&chart->points[i].settings, settings)) {
+        i++;
     }
-    language_localize_numbers(text, SETTINGS_NAME_SIZE);
+    return i;
 }
 
-/** @return The point of a name; NULL: none. */
-static SettingsPoint *find_point(SettingsChart *chart, const char *name) {
-    for (size_t i = 0; i < chart->count; i++) {
-        if (strcmp(chart->points[i].name, name) == 0) {
-            return &chart->points[i];
-        }
-    }
-    return NULL;
-}
-
-bool settings_chart_has(const SettingsChart *chart, const char *name) {
-    SettingsChart copy = *chart;
-    return find_point(&copy, name) != NULL;
+bool settings_chart_has(const SettingsChart *chart, const RenderSettings *settings) {
+    return find_point(chart, settings) < chart->count;
 }
 
 /** Finds the settings that no other beats in both time and error. */
@@ -75,15 +66,16 @@ static void find_front(SettingsChart *chart) {
     }
 }
 
-void settings_chart_add(SettingsChart *chart, const char *name, double seconds, double error) {
-    SettingsPoint *point = find_point(chart, name);
-    if (!point && chart->count == SETTINGS_CHART_POINTS) {
-        memmove(chart->points, chart->points + 1,
-                (SETTINGS_CHART_POINTS - 1) * sizeof *chart->points);
-        chart->count--;
+void settings_chart_add(SettingsChart *chart, const RenderSettings *settings, double seconds,
+                        double error) {
+    size_t index = find_point(chart, settings);
+    if (index == SETTINGS_CHART_POINTS) {
+        index--;
+        memmove(chart->points, chart->points + 1, index * sizeof *chart->points);
+    } else if (index == chart->count) {
+        chart->count++;
     }
-    point = point ? point : &chart->points[chart->count++];
-    *point = (SettingsPoint){.seconds = seconds, .error = error};
-    snprintf(point->name, sizeof point->name, "%s", name);
+    chart->points[index] =
+        (SettingsPoint){.settings = *settings, .seconds = seconds, .error = error};
     find_front(chart);
 }

@@ -14,10 +14,10 @@ enum { SETTINGS_NAME_SIZE = 64 };
 
 /** One setting. */
 typedef struct SettingsPoint {
-    char name[SETTINGS_NAME_SIZE]; /**< Its name, unique in the chart. */
-    double seconds;                /**< Time of a whole picture. */
-    double error;                  /**< Error of its picture, RMS in steps of 255. */
-    bool is_pareto;                /**< Whether none is both faster and more accurate. */
+    RenderSettings settings; /**< The settings; no other point of a chart has the same name. */
+    double seconds;          /**< Time of a whole picture. */
+    double error;            /**< Error of its picture, RMS in steps of 255. */
+    bool is_pareto;          /**< Whether none is both faster and more accurate. */
 } SettingsPoint;
 
 /** The chart. Starts as `{0}`: empty. */
@@ -26,17 +26,18 @@ typedef struct SettingsChart {
     size_t count;                                /**< Number of them. */
 } SettingsChart;
 
-/** Names settings by what keys change of them, such as `float, bound, 8 × 16`: depth and samples.
- */
+/** Names settings in the user's language by what keys change of them, such as `float, bound, 8 ×
+ * 16`: depth and samples. */
 void settings_name_write(const RenderSettings *settings, char name[SETTINGS_NAME_SIZE]);
 
-/** Writes such a name, which is the same in all languages, as a reader has it. */
-void settings_name_translate(const char *name, char text[SETTINGS_NAME_SIZE]);
+/** @return Whether two settings have the same name. */
+bool settings_have_same_name(const RenderSettings *a, const RenderSettings *b);
 
-/** @return Whether a setting has a point. */
-bool settings_chart_has(const SettingsChart *chart, const char *name);
+/** @return Whether settings have a point. */
+bool settings_chart_has(const SettingsChart *chart, const RenderSettings *settings);
 
 /** Adds a point, or replaces that of the same name, and finds the Pareto front. */
-void settings_chart_add(SettingsChart *chart, const char *name, double seconds, double error);
+void settings_chart_add(SettingsChart *chart, const RenderSettings *settings, double seconds,
+                        double error);
 
 #endif

@@ -14,8 +14,6 @@ static const double EPSILON_MINIMUM = 1e-15;
 static const double EPSILON_MAXIMUM = 1e6;
 /** Bits of the mantissa of each #NumberType. */
 static const int mantissa_bits[NUMBER_TYPE_COUNT] = {24, 53, 113};
-const char *const number_type_names[NUMBER_TYPE_COUNT] = {"float", "double", "quad"};
-
 /** Number of offset strategies. */
 enum { OFFSET_COUNT = OFFSET_BOUND + 1 };
 

@@ -47,10 +47,6 @@ typedef void SettingsChangeFn(SettingsOverride *overrides, const RenderSettings 
 /** @return The widest number type that an engine's mantissa holds. */
 NumberType number_type_of(const Engine *engine);
 
-/** The names of the number types, in the order of #NumberType: for readers see #scene_value_word.
- */
-extern const char *const number_type_names[NUMBER_TYPE_COUNT];
-
 /** Changes the number type. @param step 1: float, double, quad, float; -1: backwards. */
 void settings_override_engine(SettingsOverride *overrides, const RenderSettings *current, int step);
 

@@ -21,7 +21,8 @@ const FIT_TRIES = 20, FIT_DELAY = 100;
 const SCREEN_DELAY = 50;
 const $ = (id) => document.getElementById(id);
 
-let module = null, editor = null, shown = "", opened = null;
+/** `shown` is the file whose text the editor has, `drawn` the one that the window shows: another while the scene of a link is faulty. */
+let module = null, editor = null, shown = "", drawn = "", opened = null, faulty = null;
 /** Kept once a picture can be seen: nothing that comes later shall delay it. */
 let tellPicture = null;
 const picture = new Promise((resolve) => { tellPicture = resolve; });
@@ -51,19 +52,26 @@ const showText = () => {
   textTime = fileTime();
 };
 
+/** Opens a file in the window. */
+const openFile = (path) => module.ccall("web_open", null, ["string"], [path]);
+
 /** Shows the text of the scene that the window shows. */
 const showScene = (path) => {
   setMessage("");
-  shown = path;
+  drawn = path;
+  shown = faulty ?? path;
   showText();
   clearErrors();
-  const name = path.slice(SCENES.length);
+  const name = shown.slice(SCENES.length);
   if (![...$("scenes").options].some((option) => option.value === name)) {
     $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
   }
   $("scenes").value = name;
-  if (opened?.view) {
-    module.ccall("web_set_state", null, ["string"], [opened.view]);
+  if (faulty) {
+    faulty = null;
+    openFile(shown); // The program says what is wrong.
+  } else if (opened && path === SCENES + opened.name + ".lua") {
+    opened.view && module.ccall("web_set_state", null, ["string"], [opened.view]);
     opened = null;
   }
 };
@@ -73,7 +81,11 @@ const applyText = () => {
   clearErrors();
   module.FS.writeFile(shown, editor.text());
   textTime = fileTime();
-  module._web_file_changed();
+  if (shown === drawn) {
+    module._web_file_changed();
+  } else {
+    openFile(shown);
+  }
 };
 let editTimer = 0;
 const onEdit = () => {
@@ -103,7 +115,7 @@ const onError = (line) => {
 
 /** Opens a scene in the window. */
 const openScene = (name) => {
-  module.ccall("web_open", null, ["string"], [SCENES + name]);
+  openFile(SCENES + name);
   $("canvas").focus();
 };
 
@@ -305,9 +317,9 @@ const start = async () => {
   for (const name of files.scenes) {
     $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
   }
-  const isReady = startProgram(parts, {
+  const launch = (scene) => startProgram(parts, {
     canvas: $("canvas"),
-    arguments: ["view", SCENES + (opened ? opened.name : "box") + ".lua"],
+    arguments: ["view", SCENES + scene + ".lua"],
     preRun: [prepare(files.later)],
     print: (line) => console.log(line),
     printErr: onError,
@@ -324,9 +336,17 @@ const start = async () => {
     onDescription: (facts) => $("canvas").setAttribute("aria-label", describe($("scenes").value.replace(/\.lua$/, ""), JSON.parse(facts))),
     onStateRead: (isRight) => isRight || showError(say("The link is damaged: its view is left out.")),
     onAbort: () => setMessage(say("The program has failed. Reload the page to start it again.")),
-    onExit: () => setMessage(say("The program has ended. Reload the page to start it again.")),
+    onExit: () => {
+      if (opened && !shown && !faulty) {
+        // The link's scene is faulty: another is drawn, and its text is there to be mended.
+        faulty = SCENES + opened.name + ".lua";
+        setTimeout(launch, 0, opened.name === "box" ? "glass-sphere" : "box");
+      } else {
+        setMessage(say("The program has ended. Reload the page to start it again."));
+      }
+    },
   });
-  await isReady;
+  await launch(opened ? opened.name : "box");
   listen();
   await afterPicture(files.later);
 };

@@ -1,0 +1,19 @@
+/**
+ * @file
+ * @brief Values of settings as a reader says them.
+ *
+ * Files and options say `bound` and `double` in every language; where the window shows such a
+ * value, it has a name in the user's language.
+ */
+#ifndef DIOPTRE_VIEW_STATE_SETTINGS_WORDS_H
+#define DIOPTRE_VIEW_STATE_SETTINGS_WORDS_H
+
+#include "view/state/settings_override.h"
+
+/** @return The name of an offset strategy in the user's language. */
+const char *offset_strategy_word(OffsetStrategy offset);
+
+/** @return The name of a number type in the user's language. */
+const char *number_type_word(NumberType type);
+
+#endif

@@ -147,6 +147,28 @@ static void check_kept(Browser *browser, const ViewSettings *settings) {
     browser_close(browser);
 }
 
+/** The footer says how long a lesson is, and how it begins. */
+static void check_footer(Fixture *fixture, Browser *browser) {
+    const GuiText *texts;
+    const SceneEntry *lesson = &browser->list.scenes[0];
+    char wanted[64], begin[16];
+    bool is_found = false;
+    assert_true(lesson->is_lesson && lesson->summary.steps > lesson->summary.questions);
+    browser->selected = 0;
+    browser->follows_mouse = false;
+    check_frame(fixture, "footer", 6);
+    snprintf(wanted, sizeof wanted,
+             ngettext("%d question", "%d questions", (unsigned long)lesson->summary.questions),
+             lesson->summary.questions);
+    snprintf(begin, sizeof begin, "%.8s", lesson->summary.first_words); // A record is short.
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    for (size_t i = 0; i < count; i++) {
+        const char *words = strstr(texts[i].text, wanted);
+        is_found = is_found || (words && strstr(words, begin));
+    }
+    assert_true(is_found);
+}
+
 /** Checks the list of scenes. */
 static void check_list(Fixture *fixture) {
     static const ViewSettings settings = {.preview = load_nothing};
@@ -163,6 +185,7 @@ static void check_list(Fixture *fixture) {
         scene_title_read(scene->path, scene->is_lesson, language_is_french(), scene->title);
     }
     check_frame(fixture, "list", 6);
+    check_footer(fixture, browser);
     browser_type(browser, "GLA");
     check_frame(fixture, "list with words", 3);
     check_search(browser);

@@ -64,6 +64,39 @@ static void test_long_titles(void **state) {
     assert_int_equal(strlen(title), SCENE_TITLE_SIZE - 2);
 }
 
+/** A lesson tells its steps, its questions and its first sentence. */
+static void test_summaries(void **state) {
+    static const struct {
+        const char *text;     /**< The file. */
+        int steps, questions; /**< Of it. */
+        const char *words[2]; /**< Its first sentence in English, in French. */
+    } cases[] = {
+        {"lesson { scene = 's.lua' }\nlocal asked = 1\ncaption { wait = true,\n  en = \"Is 1.5 so? "
+         "Or\",\n"
+         "  fr = \"Un. Deux.\" }\nask(q)\n  ask(q)\ncaption { en = 'B.', fr = 'C.' }\nask {}\n",
+         4,
+         2,
+         {"Is 1.5 so?", "Un."}},
+        {"caption { en = 'One only', wait = true }\ncaption { fr = 'Deux' }\n",
+         2,
+         0,
+         {"One only", "One only"}},
+        {"caption 'Plain.'\nask(q)\n", 2, 1, {"", ""}},
+        {"asking = 1 captions = 2\n", 0, 0, {"", ""}},
+        {"", 0, 0, {"", ""}},
+    };
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        for (int is_french = 0; is_french < 2; is_french++) {
+            LessonSummary summary;
+            scene_title_read_summary(write_text(state, "a.lua", cases[i].text), is_french,
+                                     &summary);
+            assert_int_equal(summary.steps, cases[i].steps);
+            assert_int_equal(summary.questions, cases[i].questions);
+            assert_string_equal(summary.first_words, cases[i].words[is_french]);
+        }
+    }
+}
+
 /** What is no regular file has neither name nor title, and nobody waits for one to be written. */
 static void test_other_files(void **state) {
     char name[NAME_SIZE] = "glass", title[SCENE_TITLE_SIZE] = "glass";
@@ -147,6 +180,7 @@ static void test_thumbnails(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_names, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_summaries, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_long_titles, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_other_files, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_thumbnails, fixture_set_up, fixture_tear_down),

@@ -82,6 +82,9 @@ static void add_entry(SceneList *list, const char *folder, const char *file, boo
         }
         scene_name_from_path(scene->path, scene->name, sizeof scene->name);
         scene_title_read(scene->path, wants_lesson, language_is_french(), scene->title);
+        if (wants_lesson) {
+            scene_title_read_summary(scene->path, language_is_french(), &scene->summary);
+        }
         SDL_strlcpy(scene->label, scene->name, sizeof scene->label);
         scene_title_read_name(scene->path, language_is_french(), scene->label, sizeof scene->label);
         scene_list_lock(list);

@@ -28,6 +28,7 @@ typedef struct SceneEntry {
     char label[SCENE_ENTRY_NAME_SIZE]; /**< Its name for readers. */
     char title[SCENE_TITLE_SIZE];      /**< Its title, see #scene_title_read, or its error. */
     bool is_lesson;                    /**< Whether it is a lesson. */
+    LessonSummary summary;             /**< What it is about, if so. */
     bool is_loaded;                    /**< Whether it was drawn or has an error. */
     bool is_in_sight;                  /**< Whether it is on screen: those are drawn first. */
     struct timespec modified;          /**< When its file was last modified. */

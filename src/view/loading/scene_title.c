@@ -133,3 +133,48 @@ void scene_title_read_name(const char *path, bool is_french, char *name, size_t 
         fclose(file);
     }
 }
+
+/** @return Whether a line calls a word of lessons. */
+static bool calls(const char *line, const char *word) {
+    const size_t length = strlen(word);
+    return begins_with(line, word) && line[length] != '\0' && strchr(" ({\"'", line[length]);
+}
+
+/** Takes the first words of a lesson from a line, if they are there. @param language `en =` or
+ *  `fr =`. @return Whether they are. */
+static bool take_words(const char *line, const char *language, char words[SCENE_TITLE_SIZE]) {
+    const char *text = strstr(line, language), *quote = text ? strpbrk(text, "\"'") : NULL;
+    if (quote) {
+        copy_quoted(quote, words);
+        char *end = strpbrk(words, ".?!");
+        while (end && end[1] != ' ' && end[1] != '\0') {
+            end = strpbrk(end + 1, ".?!");
+        }
+        if (end) {
+            end[1] = '\0';
+        }
+    }
+    return quote != NULL;
+}
+
+void scene_title_read_summary(const char *path, bool is_french, LessonSummary *summary) {
+    FILE *file = open_file(path, NAMED_FILE_MAXIMUM);
+    char line[LINE_SIZE];
+    int captions = 0;
+    bool is_in_first = false;
+    *summary = (LessonSummary){0};
+    while (file && read_line(file, line)) {
+        const bool is_caption = calls(line, "caption"), is_question = calls(line, "ask");
+        summary->steps += is_caption || is_question;
+        summary->questions += is_question;
+        captions += is_caption;
+        is_in_first = captions == 1 && (is_caption || (is_in_first && line[0] == ' '));
+        // English comes before French, and is kept where there is none.
+        if (is_in_first && !(is_french && take_words(line, "fr =", summary->first_words))) {
+            take_words(line, "en =", summary->first_words);
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+}

@@ -22,6 +22,17 @@ enum { SCENE_TITLE_SIZE = 256 };
 void scene_title_read(const char *path, bool is_lesson, bool is_french,
                       char title[SCENE_TITLE_SIZE]);
 
+/** What a lesson is about, as far as its file says it without being run. */
+typedef struct LessonSummary {
+    int steps;                          /**< Its captions and questions: lines that begin so. */
+    int questions;                      /**< Its questions. */
+    char first_words[SCENE_TITLE_SIZE]; /**< First sentence of its first caption; empty: none. */
+} LessonSummary;
+
+/** Reads what a lesson is about. @param path Its file. @param is_french Whether French is wanted;
+ *  English stands in for it. */
+void scene_title_read_summary(const char *path, bool is_french, LessonSummary *summary);
+
 /**
  * Reads the name of a scene for readers: its line `-- fr name: ...` or `-- en name: ...`.
  * @param path       The file; only a regular one of moderate size is read.

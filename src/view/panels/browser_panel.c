@@ -71,13 +71,32 @@ static int show_header(Browser *browser, const BrowserOrder *order, const GuiRec
     return part;
 }
 
-/** Writes the title of the scene that is described, or its error. */
+/** Writes title, length and first words of a lesson. */
+static void show_summary(const SceneEntry *lesson) {
+    const LessonSummary *summary = &lesson->summary;
+    char line[2 * SCENE_TITLE_SIZE + 3 * HEADER_SIZE], steps[HEADER_SIZE], questions[HEADER_SIZE];
+    snprintf(steps, sizeof steps, ngettext("%d step", "%d steps", (unsigned long)summary->steps),
+             summary->steps);
+    snprintf(questions, sizeof questions,
+             ngettext("%d question", "%d questions", (unsigned long)summary->questions),
+             summary->questions);
+    // Below its picture a long title is cut.
+    snprintf(line, sizeof line, "%s%s%s, %s%s%s", lesson->title, gettext(": "), steps, questions,
+             summary->first_words[0] != '\0' ? " — " : "", summary->first_words);
+    gui_paragraph(line, GUI_COLOR_TEXT, 1);
+}
+
+/** Writes the title of the scene that is described, or its error; of a lesson, what it is about. */
 static void show_footer(const Browser *browser, const BrowserOrder *order, const GuiRect *rect) {
     gui_panel_begin("scenes footer", rect);
     if (order->count > 0 && browser->described < browser->list.count) {
         const SceneEntry *scene = &browser->list.scenes[browser->described];
         bool is_faulty = scene->is_loaded && !scene->picture.pixels;
-        gui_paragraph(scene->title, is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_TEXT, 1);
+        if (scene->is_lesson && !is_faulty && scene->summary.steps > 0) {
+            show_summary(scene);
+        } else {
+            gui_paragraph(scene->title, is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_TEXT, 1);
+        }
     }
     gui_panel_end();
 }

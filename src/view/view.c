@@ -187,7 +187,7 @@ static void run_frame(App *app) {
     bool is_event = !app->exit.is_requested && wait_for_event(app, clock_now_seconds(), &event);
     while (is_event && !app->exit.is_requested) {
         input_handle_event(app, &event);
-        is_event = SDL_PollEvent(&event);
+        is_event = !gui_awaits_frame(app->window.gui) && SDL_PollEvent(&event);
     }
 }
 

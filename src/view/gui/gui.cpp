@@ -166,6 +166,15 @@ void use_keys_of_inspector(const Gui *gui, SDL_KeyboardEvent *key) {
     }
 }
 
+/** Makes the modifiers those of a key, as its event has them: SDL's own state, which Dear ImGui's
+ * backend reads, is that of the newest event, which may come after this one. */
+void take_modifiers(Uint16 mod) {
+    ImGuiIO &io = ImGui::GetIO();
+    io.KeyShift = mod & KMOD_SHIFT;
+    io.KeyCtrl = mod & KMOD_CTRL;
+    io.KeyAlt = mod & KMOD_ALT;
+}
+
 /** Frees the texture of the letters, and the panels that were drawn with it. */
 void release_letters(Gui *gui) {
     forget_panels(&gui->kept);
@@ -287,6 +296,10 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
             use_keys_of_inspector(gui, &typed.key);
         }
         ImGui_ImplSDL2_ProcessEvent(&typed);
+        if (event->type != SDL_TEXTINPUT) {
+            take_modifiers(event->key.keysym.mod);
+            gui->has_new_key = true;
+        }
         gui->due_frames = FRAMES_PER_EVENT;
     }
     return (is_mouse && was_wanted) || is_typed;
@@ -409,6 +422,11 @@ void gui_end_frame(Gui *gui) {
         draw_frame(gui->renderer, data, &gui->kept);
     }
     gui->due_frames -= gui->due_frames > 0;
+    gui->has_new_key = false;
+}
+
+bool gui_awaits_frame(const Gui *gui) {
+    return gui && gui->has_new_key;
 }
 
 void gui_request_frames(Gui *gui) {

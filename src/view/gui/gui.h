@@ -89,6 +89,10 @@ void gui_end_frame(Gui *gui);
 /** @return The height of the letters, pixels of the window. */
 float gui_text_size(void);
 
+/** @return Whether a frame must be drawn before the next event is handled: Dear ImGui 1.86 looks at
+ * the keys once per frame, and would miss one that went down and up in between. */
+bool gui_awaits_frame(const Gui *gui);
+
 /** Has some more frames drawn: what is shown has changed, and panels find their size. */
 void gui_request_frames(Gui *gui);
 

@@ -55,6 +55,7 @@ struct Gui {
     ImFont *heading;          /**< The letters of headings. */
     SDL_Cursor *ring;         /**< The mouse as a ring; owned; null: as usual. */
     int due_frames;           /**< Frames to be drawn, see FRAMES_PER_EVENT. */
+    bool has_new_key;         /**< Whether a key went down or up since the last frame. */
     GuiKeyboard keyboard;     /**< What has the keyboard. */
     bool is_inspecting;       /**< Whether this frame shows the inspector. */
     bool has_bar;             /**< Whether it shows the bar. */

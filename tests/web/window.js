@@ -19,6 +19,16 @@ const testKeys = async (page) => {
   check(rays !== first, "the rays of a pixel are shown");
   await page.keyboard.press("v");
   await settled(page);
+  await page.keyboard.press("f");
+  await settled(page);
+  await page.keyboard.type("glass-sph");
+  await settled(page);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.getElementById("scenes").value === "glass-sphere.lua", null, { timeout: PATIENCE });
+  check(true, "letters are typed into the list of scenes");
+  await page.selectOption("#scenes", "box.lua");
+  await page.waitForFunction(() => /scene box;/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
+  await page.focus("#canvas");
   if (await page.evaluate(() => Boolean(navigator.clipboard))) {
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.keyboard.press("c");

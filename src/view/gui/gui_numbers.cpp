@@ -43,23 +43,27 @@ void use_decimal_sign(ImGuiInputTextState *state) {
     }
 }
 
-/** @return A number as text of the language. */
+/** Writes a number as text of the language. */
 void write_number(double number, const char *format, char text[NUMBER_SIZE]) {
     snprintf(text, NUMBER_SIZE, format, number);
     language_localize_numbers(text, NUMBER_SIZE);
 }
 
+/** @return The frame of the next number. */
+ImRect next_frame() {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    return ImRect(low, ImVec2(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()));
+}
+
 /** The field of a number while it is typed. @return Whether the number has changed. */
 bool type_number(const char *id, double *number, const NumberField &field) {
-    const ImGuiContext &context = *ImGui::GetCurrentContext();
+    ImGuiContext &context = *ImGui::GetCurrentContext();
     const ImGuiID item = ImGui::GetID(id);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImRect frame(
-        corner, ImVec2(corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()));
+    const ImRect frame = next_frame();
     char text[NUMBER_SIZE];
     double typed = 0;
     write_number(*number, field.format, text);
-    use_decimal_sign(&ImGui::GetCurrentContext()->InputTextState);
+    use_decimal_sign(&context.InputTextState);
     if (!ImGui::ItemAdd(frame, item, &frame, ImGuiItemFlags_Inputable)) {
         return false;
     }
@@ -97,9 +101,7 @@ void draw_number(double number, const char *format, const ImRect &frame) {
 
 bool edit_number(const char *id, double *number, const NumberField &field) {
     const ImGuiID item = ImGui::GetID(id);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImRect frame(
-        corner, ImVec2(corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()));
+    const ImRect frame = next_frame();
     const ImGuiSliderFlags flags = field.flags | ImGuiSliderFlags_AlwaysClamp;
     bool is_changed;
     if (ImGui::TempInputIsActive(item)) {

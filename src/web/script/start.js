@@ -235,10 +235,12 @@ const listen = () => {
   // The window's keys; those with Ctrl, Alt or the system's key stay the browser's, but for those that change and save objects.
   canvas.addEventListener("keydown", (event) => {
     const isPlain = !event.ctrlKey && !event.altKey && !event.metaKey && event.key !== "Tab" && event.key !== "F5";
-    if (isPlain || (event.ctrlKey && !event.altKey && /^[cszy]$/i.test(event.key))) {
+    // A key that writes a letter must come to its keypress, which the window's fields take it from.
+    if ((isPlain && event.key.length > 1) || (event.ctrlKey && !event.altKey && /^[cszy]$/i.test(event.key))) {
       event.preventDefault();
     }
   });
+  canvas.addEventListener("keypress", (event) => event.preventDefault());
   // The window sleeps until it is woken, see src/web/waits.h.
   for (const type of ["keydown", "keyup", "mousemove", "mousedown", "mouseup", "mouseenter", "mouseleave", "wheel", "touchstart", "touchmove",
     "touchend", "touchcancel", "focus", "blur", "resize", "visibilitychange"]) {

@@ -5,7 +5,6 @@
 #include "view/commands/actions.h"
 
 #include "base/language.h"
-#include "base/typeset_numbers.h"
 #include "dioptre/scene.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/edits.h"
@@ -114,7 +113,7 @@ void action_change_epsilon(App *app, int factor) {
     RenderSettings settings = change_setting(app, settings_override_epsilon, factor);
     char epsilon[NUMBER_TEXT_SIZE];
     snprintf(epsilon, sizeof epsilon, "%.3g", settings.trace.epsilon);
-    typeset_numbers(epsilon, sizeof epsilon);
+    language_localize_numbers(epsilon, sizeof epsilon);
     if (before != settings.trace.offset) {
         // The slider changes two settings at once, and only one of them is under the mouse.
         app_set_status(app, "epsilon: %s, offset: %s; the scene's own offset, %s, is off", epsilon,

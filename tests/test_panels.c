@@ -198,6 +198,54 @@ static void test_help(void **state) {
     in_all_windows(state, check_help);
 }
 
+/** Places of the window whose colours are read, in each direction. */
+enum { READ_PLACES = 40 };
+
+/** @return The colour that most of the places of the window have. */
+static uint32_t usual_color(SDL_Renderer *renderer, int width, int height) {
+    uint32_t colors[READ_PLACES * READ_PLACES];
+    int most = 0;
+    uint32_t usual = 0;
+    for (int i = 0; i < READ_PLACES * READ_PLACES; i++) {
+        SDL_Rect place = {(i % READ_PLACES * 2 + 1) * width / (2 * READ_PLACES),
+                          (i / READ_PLACES * 2 + 1) * height / (2 * READ_PLACES), 1, 1};
+        assert_int_equal(SDL_RenderReadPixels(renderer, &place, SDL_PIXELFORMAT_ARGB8888,
+                                              &colors[i], sizeof colors[i]),
+                         0);
+        int same = 0;
+        for (int j = 0; j <= i; j++) {
+            same += colors[j] == colors[i];
+        }
+        if (same > most) {
+            most = same;
+            usual = colors[i];
+        }
+    }
+    return usual;
+}
+
+/** A panel has its colour however large the window is: SDL's software renderer reads beside the
+ * texture of the letters for triangles of more than some 500,000 pixels. */
+static void test_large_panels(void **state) {
+    static const int large[][2] = {{640, 480}, {3840, 2160}, {8000, 4000}};
+    if (!*state) {
+        skip();
+    }
+    Window *window = &((Fixture *)*state)->window;
+    uint32_t colors[COUNT(large)];
+    for (size_t i = 0; i < COUNT(large); i++) {
+        set_size(window, large[i][0], large[i][1]);
+        window->help.is_open = true;
+        for (int frame = 0; frame < 3; frame++) {
+            window_present(window);
+        }
+        colors[i] = usual_color(window->sdl.renderer, large[i][0], large[i][1]);
+        window->help.is_open = false;
+        assert_int_equal(colors[i], colors[0]);
+    }
+    set_size(window, 640, 480);
+}
+
 /** Settings and legends. */
 static void test_legends(void **state) {
     in_all_windows(state, check_legends);
@@ -216,9 +264,8 @@ static void test_list(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_help),
-        cmocka_unit_test(test_legends),
-        cmocka_unit_test(test_captions),
+        cmocka_unit_test(test_help),    cmocka_unit_test(test_large_panels),
+        cmocka_unit_test(test_legends), cmocka_unit_test(test_captions),
         cmocka_unit_test(test_list),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);

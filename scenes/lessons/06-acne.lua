@@ -82,10 +82,11 @@ for i = 1, 4 do
   press "epsilon ten times"
   wait(0.7)
 end
+explain()
+press "as at first" -- The offset is bound again.
 caption { wait = true,
   en = "So this program computes for each point how far rounding can reach, and starts there: no further, no less.",
   fr = "Ce programme calcule donc, pour chaque point, jusqu’où peut aller l’arrondi, et part de là : ni plus loin, ni plus près." }
-press "as at first"
 ask(acne)
 press "offset"
 wait(1)

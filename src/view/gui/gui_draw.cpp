@@ -9,6 +9,7 @@
  */
 #include "view/gui/gui_draw.h"
 
+#include <climits>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -20,26 +21,83 @@ namespace {
 /** Largest part of the window that a kept panel covers: a larger one hides what moves, and its
  *  picture would take more memory and time than it saves. */
 constexpr float KEPT_AREA_MAXIMUM = 0.34F;
+/** Steps of a pixel in which SDL's software renderer places corners. */
+constexpr float HALVES = 2;
+
+/**
+ * @return The largest triangle, twice its area, that SDL's software renderer can fill from a
+ * texture. It multiplies that number, of half pixels, by the place in the texture, and the product
+ * must not leave an int: with the panels of a screen of 3840x2160 it did, and what was read lay
+ * beside the texture.
+ */
+float largest_textured(SDL_Texture *texture) {
+    int width = 1, height = 1;
+    SDL_QueryTexture(texture, nullptr, nullptr, &width, &height);
+    return static_cast<float>(INT_MAX) / (HALVES * HALVES) /
+           static_cast<float>(width > height ? width : height);
+}
+
+/** @return Whether a triangle is larger than that and has one colour: it needs no texture. @param
+ *  vertices Those of its command. @param index Its three indices. */
+bool needs_no_texture(const ImDrawVert *vertices, const ImDrawIdx *index, float largest) {
+    const ImDrawVert &a = vertices[index[0]], &b = vertices[index[1]], &c = vertices[index[2]];
+    const float area =
+        (b.pos.x - a.pos.x) * (c.pos.y - a.pos.y) - (b.pos.y - a.pos.y) * (c.pos.x - a.pos.x);
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    const auto is_white = [white](const ImDrawVert &vertex) {
+        return vertex.uv.x == white.x && vertex.uv.y == white.y;
+    };
+    return fabsf(area) > largest && is_white(a) && is_white(b) && is_white(c);
+}
+
+/** Draws some triangles of a command. @param texture Null: their colours alone. @param first Index
+ * of their first corner. @param count Number of corners. */
+void draw_run(SDL_Renderer *renderer, const ImDrawList *list, const ImDrawCmd &command,
+              SDL_Texture *texture, unsigned first, unsigned count) {
+    const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data + command.VtxOffset);
+    if (count > 0) {
+        SDL_RenderGeometryRaw(
+            renderer, texture,
+            reinterpret_cast<const float *>(vertices + offsetof(ImDrawVert, pos)),
+            sizeof(ImDrawVert),
+            reinterpret_cast<const SDL_Color *>(vertices + offsetof(ImDrawVert, col)),
+            sizeof(ImDrawVert),
+            reinterpret_cast<const float *>(vertices + offsetof(ImDrawVert, uv)),
+            sizeof(ImDrawVert), static_cast<int>(list->VtxBuffer.Size - command.VtxOffset),
+            list->IdxBuffer.Data + command.IdxOffset + first, static_cast<int>(count),
+            sizeof(ImDrawIdx));
+    }
+}
 
 /** Draws the triangles of a list, units of the window. */
 void draw_triangles(SDL_Renderer *renderer, const ImDrawList *list) {
-    const char *vertices = reinterpret_cast<const char *>(list->VtxBuffer.Data);
+    SDL_BlendMode blending = SDL_BLENDMODE_NONE;
+    SDL_GetRenderDrawBlendMode(renderer, &blending);
+    SDL_SetRenderDrawBlendMode(renderer, SDL_BLENDMODE_BLEND); // Of triangles without a texture.
     for (const ImDrawCmd &command : list->CmdBuffer) {
         const ImVec4 &clip = command.ClipRect;
         SDL_Rect rect = {static_cast<int>(clip.x), static_cast<int>(clip.y),
                          static_cast<int>(clip.z - clip.x), static_cast<int>(clip.w - clip.y)};
-        const char *first = vertices + command.VtxOffset * sizeof(ImDrawVert);
+        auto *texture = static_cast<SDL_Texture *>(command.GetTexID());
+        const float largest = largest_textured(texture);
+        const ImDrawVert *vertices = list->VtxBuffer.Data + command.VtxOffset;
+        const ImDrawIdx *indices = list->IdxBuffer.Data + command.IdxOffset;
         SDL_RenderSetClipRect(renderer, &rect);
-        SDL_RenderGeometryRaw(
-            renderer, static_cast<SDL_Texture *>(command.GetTexID()),
-            reinterpret_cast<const float *>(first + offsetof(ImDrawVert, pos)), sizeof(ImDrawVert),
-            reinterpret_cast<const SDL_Color *>(first + offsetof(ImDrawVert, col)),
-            sizeof(ImDrawVert), reinterpret_cast<const float *>(first + offsetof(ImDrawVert, uv)),
-            sizeof(ImDrawVert), static_cast<int>(list->VtxBuffer.Size - command.VtxOffset),
-            list->IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
-            sizeof(ImDrawIdx));
+        unsigned first = 0;
+        bool was_plain = false;
+        for (unsigned i = 0; i < command.ElemCount; i += 3) {
+            const bool is_plain = needs_no_texture(vertices, indices + i, largest);
+            if (is_plain != was_plain) {
+                draw_run(renderer, list, command, was_plain ? nullptr : texture, first, i - first);
+                first = i;
+            }
+            was_plain = is_plain;
+        }
+        draw_run(renderer, list, command, was_plain ? nullptr : texture, first,
+                 command.ElemCount - first);
     }
     SDL_RenderSetClipRect(renderer, nullptr);
+    SDL_SetRenderDrawBlendMode(renderer, blending);
 }
 
 /** Finds what a list covers. @return false if it covers nothing. */

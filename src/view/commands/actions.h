@@ -136,7 +136,7 @@ void action_toggle_presentation(App *app, int argument);
 /** Changes between the full screen and a window. */
 void action_toggle_full_screen(App *app, int argument);
 
-/** Closes what lies topmost: help, a lesson's end card, rays, settings, chart, inspector, magnifier,
+/** Closes what lies topmost: help, a lesson's end card, rays, chart, inspector, magnifier, settings,
  *  two pictures, a layer, the full screen; at last the program. What a lesson shows stays. */
 void action_leave(App *app, int argument);
 

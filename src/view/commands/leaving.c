@@ -61,14 +61,14 @@ static bool close_own(App *app) {
     Window *window = &app->window;
     if (window->ray_view.is_open) {
         issue(app, "rays");
-    } else if (window->shows_settings && window->settings_end_time <= 0) {
-        issue(app, "settings");
     } else if (window->settings_chart.is_open) {
         issue(app, "chart");
     } else if (window->object_inspector.number > 0) {
         edits_close(app);
     } else if (window->magnifier.is_on) {
         issue(app, "magnifier");
+    } else if (window->shows_settings && window->settings_end_time <= 0) {
+        issue(app, "settings");
     } else if (window->split.mode != SPLIT_NONE) {
         issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
     } else if (window_active_viewport(window)->layer != LAYER_SHADED) {

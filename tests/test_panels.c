@@ -224,8 +224,8 @@ static uint32_t usual_color(SDL_Renderer *renderer, int width, int height) {
     return usual;
 }
 
-/** A panel has its colour however large the window is: SDL's software renderer reads beside the
- * texture of the letters for triangles of more than some 500,000 pixels. */
+/** A panel has its colour however large the window is: for large triangles SDL's software renderer
+ *  reads beside the texture of the letters. */
 static void test_large_panels(void **state) {
     static const int large[][2] = {{640, 480}, {3840, 2160}, {8000, 4000}};
     if (!*state) {

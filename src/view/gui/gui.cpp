@@ -140,9 +140,6 @@ void use_signs_of_numbers(SDL_Scancode key, char *text) {
 
 /** Makes the keys of a bar those of Dear ImGui: Enter, too, presses a button, and Tab goes on. */
 void use_keys_of_bar(SDL_KeyboardEvent *key) {
-    if (key->type != SDL_KEYDOWN && key->type != SDL_KEYUP) {
-        return;
-    }
     SDL_Scancode &place = key->keysym.scancode;
     if (place == SDL_SCANCODE_RETURN || place == SDL_SCANCODE_KP_ENTER) {
         place = SDL_SCANCODE_SPACE;
@@ -173,6 +170,25 @@ void take_modifiers(Uint16 mod) {
     io.KeyShift = mod & KMOD_SHIFT;
     io.KeyCtrl = mod & KMOD_CTRL;
     io.KeyAlt = mod & KMOD_ALT;
+}
+
+/** Passes a key or a text on to Dear ImGui, as the panel that has the keyboard uses it. */
+void pass_on_key(Gui *gui, SDL_Event event) {
+    const bool is_text = event.type == SDL_TEXTINPUT;
+    const Uint16 mod = is_text ? 0 : event.key.keysym.mod;
+    if (is_text) {
+        use_signs_of_numbers(gui->plain_key, event.text.text);
+    } else if (gui->keyboard == GUI_BAR) {
+        use_keys_of_bar(&event.key);
+    } else if (gui->keyboard == GUI_INSPECTOR) {
+        use_keys_of_inspector(gui, &event.key);
+    }
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    if (!is_text) {
+        take_modifiers(mod);
+        gui->has_new_key = true;
+    }
+    gui->due_frames = FRAMES_PER_EVENT;
 }
 
 /** Frees the texture of the letters, and the panels that were drawn with it. */
@@ -286,21 +302,7 @@ bool gui_handle_event(Gui *gui, const SDL_Event *event) {
         return false;
     }
     if (is_typed) {
-        SDL_Event typed = *event;
-        if (event->type == SDL_TEXTINPUT) {
-            use_signs_of_numbers(gui->plain_key, typed.text.text);
-        }
-        if (gui->keyboard == GUI_BAR) {
-            use_keys_of_bar(&typed.key);
-        } else if (gui->keyboard == GUI_INSPECTOR) {
-            use_keys_of_inspector(gui, &typed.key);
-        }
-        ImGui_ImplSDL2_ProcessEvent(&typed);
-        if (event->type != SDL_TEXTINPUT) {
-            take_modifiers(event->key.keysym.mod);
-            gui->has_new_key = true;
-        }
-        gui->due_frames = FRAMES_PER_EVENT;
+        pass_on_key(gui, *event);
     }
     return (is_mouse && was_wanted) || is_typed;
 }

@@ -21,19 +21,19 @@ namespace {
 /** Largest part of the window that a kept panel covers: a larger one hides what moves, and its
  *  picture would take more memory and time than it saves. */
 constexpr float KEPT_AREA_MAXIMUM = 0.34F;
-/** Steps of a pixel in which SDL's software renderer places corners. */
-constexpr float HALVES = 2;
+/** Steps per pixel in which SDL's software renderer places corners. */
+constexpr float STEPS_PER_PIXEL = 2;
 
 /**
  * @return The largest triangle, twice its area, that SDL's software renderer can fill from a
- * texture. It multiplies that number, of half pixels, by the place in the texture, and the product
+ * texture. It multiplies that number, in its steps, by the place in the texture, and the product
  * must not leave an int: with the panels of a screen of 3840x2160 it did, and what was read lay
  * beside the texture.
  */
 float largest_textured(SDL_Texture *texture) {
     int width = 1, height = 1;
     SDL_QueryTexture(texture, nullptr, nullptr, &width, &height);
-    return static_cast<float>(INT_MAX) / (HALVES * HALVES) /
+    return static_cast<float>(INT_MAX) / (STEPS_PER_PIXEL * STEPS_PER_PIXEL) /
            static_cast<float>(width > height ? width : height);
 }
 

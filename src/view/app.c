@@ -39,10 +39,8 @@ void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text) {
 }
 
 void app_update_status(App *app) {
-    // What ends by time ends before its message on the picture does, which wakes the loop.
     if (app->title.holds && !app->title.holds(app)) {
         app_clear_status(app);
-        window_end_toast(&app->window);
     }
 }
 
@@ -63,6 +61,9 @@ void app_sync_window(App *app) {
 }
 
 void app_clear_status(App *app) {
+    if (app->title.holds) {
+        window_end_toast(&app->window);
+    }
     app->title.status_text[0] = '\0';
     app->title.holds = NULL;
     app->title.next_update_time = 0;

@@ -242,6 +242,7 @@ void window_open_widgets(Window *window) {
 void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     bool is_other = !window->lesson_panel.lesson != !panel->lesson;
     window->lesson_panel = *panel;
+    window->ray_view.is_in_lesson = panel->lesson != NULL;
     if (is_other && window->gui) {
         // The window keeps its size: a class would see it jump.
         layout_toolbar(window);

@@ -27,7 +27,9 @@ static void press(App *app, const LessonStep *step) {
         if (!command_is(command, "settings")) {
             app->window.shows_settings = shows_settings;
         }
-        window_end_toast(&app->window);
+        if (!app->title.holds) { // What was said to the user before stays.
+            window_end_toast(&app->window);
+        }
     }
 }
 
@@ -87,6 +89,12 @@ static void move_bar(App *app, const LessonStep *step) {
 /** #LESSON_PIXEL. */
 static void pick_pixel(App *app, const LessonStep *step) {
     app_pick_pixel(app, step->x, step->y);
+}
+
+/** #LESSON_MARK. */
+static void mark_pixel(App *app, const LessonStep *step) {
+    ray_view_mark(&app->window.ray_view, step->x, step->y);
+    window_present(&app->window);
 }
 
 /** #LESSON_WALK. */
@@ -150,7 +158,8 @@ void lesson_step_do(App *app, const LessonStep *step) {
         [LESSON_ORBIT] = orbit,      [LESSON_PAN] = pan,
         [LESSON_ZOOM] = zoom,        [LESSON_SIZE] = set_size,
         [LESSON_PIXEL] = pick_pixel, [LESSON_WALK] = walk,
-        [LESSON_RAY] = choose_ray,   [LESSON_BAR] = move_bar,
+        [LESSON_RAY] = choose_ray,   [LESSON_MARK] = mark_pixel,
+        [LESSON_BAR] = move_bar,
         [LESSON_DRAG] = drag_light,  [LESSON_SELECT] = select_object,
         [LESSON_SET] = set_field,    [LESSON_MOVE] = move_object,
         [LESSON_CAPTION] = stop,     [LESSON_ASK] = stop,

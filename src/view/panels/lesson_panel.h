@@ -38,6 +38,7 @@ typedef struct LessonPanel {
     size_t stop;           /**< Index of the step that it shows; #LESSON_STEPS_MAXIMUM: none. */
     bool is_waiting;       /**< Whether the lesson waits for Space. */
     bool is_asking;        /**< Whether it waits for an answer. */
+    bool is_before_verdict; /**< Whether it runs, and shows next which answer is right. */
     bool is_finished;      /**< Whether the end card is shown. */
     bool has_next;         /**< Whether there is a next lesson. */
     LessonRequest request; /**< What a button has requested; the player clears it. */

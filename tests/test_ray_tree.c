@@ -515,7 +515,8 @@ static void test_view(void **state) {
         assert_true(renderer_record_ray_tree(renderer, WIDTH / 2, HEIGHT / 2, &tree, &error));
         for (int width = 200; width <= 800; width *= 4) {
             double x, y;
-            OrbitCamera view = orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 0, width, 400);
+            OrbitCamera view =
+                orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 0, width, 400);
             ProjectedView projected = orbit_camera_project(&view, width, 400);
             const Vec3d points[] = {tree.nodes[0].origin, tree.nodes[0].point};
             for (int p = 0; p < 2; p++) {

@@ -249,8 +249,7 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
 }
 
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
-                             const RayTree *tree, unsigned hidden_kinds, int width,
-                             int height) {
+                             const RayTree *tree, unsigned hidden_kinds, int width, int height) {
     const SceneCamera *camera = &scene->camera;
     double first = ray_length(&tree->nodes[0]);
     OrbitCamera orbit = {.zoom = 1,

@@ -33,8 +33,8 @@ typedef struct ProjectedRay {
 } ProjectedRay;
 
 /**
- * Chooses an orbit: to the side of the pixel's camera, where few points of the rays are occluded and
- * the rays lie clearly apart.
+ * Chooses an orbit: to the side of the pixel's camera, where few points of the rays are occluded
+ * and the rays lie clearly apart.
  * @param cut     Which shapes may be left out: they occlude nothing.
  * @param hidden_kinds  Kinds of rays that are not drawn, and need no room: bit i is #RayType i.
  * @param width   Of the second camera's picture, pixels; the rays and their lights fill it.

@@ -120,8 +120,7 @@ static bool is_shown(const RayDrawing *drawing, size_t index) {
 
 /** Projects a ray and clips it to the drawing (Liang and Barsky), so that arrowhead and number are
  *  in sight and dashes are few. @return Whether any of it is in sight. */
-static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray,
-                            ProjectedRay *line) {
+static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray, ProjectedRay *line) {
     if (!orbit_camera_project_ray(drawing->orbit, &drawing->view, ray, line)) {
         return false;
     }
@@ -146,8 +145,7 @@ static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray,
 }
 
 bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *line) {
-    return is_shown(drawing, index) &&
-           project_clipped(drawing, &drawing->tree->nodes[index], line);
+    return is_shown(drawing, index) && project_clipped(drawing, &drawing->tree->nodes[index], line);
 }
 
 /** Draws a ray. */

@@ -422,14 +422,14 @@ static int call_snapshot(lua_State *L) {
 /** Adds the functions of lessons to a state. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
-        {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
-        {"press", call_press},   {"release", call_release},  {"hold", call_hold},
-        {"speed", call_speed},   {"turn", call_turn},        {"zoom", call_zoom},
-        {"size", call_size},     {"pixel", call_pixel},      {"walk", call_walk},
-        {"ray", call_ray},       {"bar", call_bar},          {"drag", call_drag},
-        {"ask", call_ask},       {"explain", call_explain},  {"select", call_select},
-        {"set", call_set},       {"orbit", call_orbit},      {"pan", call_pan},
-        {"move", call_move},     {"mark", call_mark},        {"snapshot", call_snapshot}};
+        {"lesson", call_lesson}, {"caption", call_caption}, {"wait", call_wait},
+        {"press", call_press},   {"release", call_release}, {"hold", call_hold},
+        {"speed", call_speed},   {"turn", call_turn},       {"zoom", call_zoom},
+        {"size", call_size},     {"pixel", call_pixel},     {"walk", call_walk},
+        {"ray", call_ray},       {"bar", call_bar},         {"drag", call_drag},
+        {"ask", call_ask},       {"explain", call_explain}, {"select", call_select},
+        {"set", call_set},       {"orbit", call_orbit},     {"pan", call_pan},
+        {"move", call_move},     {"mark", call_mark},       {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }

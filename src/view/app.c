@@ -15,8 +15,8 @@
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
-/** Widest field of view by the wheel, degrees: in a wider one things at the edge are drawn so large,
- *  and those in the middle so small, that a turned wheel seems to have lost the scene. */
+/** Widest field of view by the wheel, degrees: in a wider one things at the edge are drawn so
+ * large, and those in the middle so small, that a turned wheel seems to have lost the scene. */
 static const double ZOOM_FOV_MAXIMUM = 100;
 /** Movement of the second camera per notch of the wheel, in seconds of a held key. */
 static const double FORWARD_PER_NOTCH = 0.125;

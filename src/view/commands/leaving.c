@@ -21,9 +21,10 @@ static const char *leaving_question(const App *app) {
         return N_("a lesson is recorded: leave again to end it, or press another key to stay");
     }
     bool is_changed = edit_history_in_force(&app->edits) > 0;
-    return is_changed ? N_("objects were changed: leave again to lose them, or press another key to "
-                           "stay")
-                      : NULL;
+    return is_changed
+               ? N_("objects were changed: leave again to lose them, or press another key to "
+                    "stay")
+               : NULL;
 }
 
 /** @return Whether leaving again loses what was asked about: the question is still shown, and would

@@ -153,17 +153,13 @@ static void take_snapshot(App *app, const LessonStep *step) {
 void lesson_step_do(App *app, const LessonStep *step) {
     /** What each kind of step does. */
     static void (*const actions[])(App * app, const LessonStep *step) = {
-        [LESSON_PRESS] = press,      [LESSON_RELEASE] = release,
-        [LESSON_SPEED] = set_speed,  [LESSON_TURN] = turn,
-        [LESSON_ORBIT] = orbit,      [LESSON_PAN] = pan,
-        [LESSON_ZOOM] = zoom,        [LESSON_SIZE] = set_size,
-        [LESSON_PIXEL] = pick_pixel, [LESSON_WALK] = walk,
-        [LESSON_RAY] = choose_ray,   [LESSON_MARK] = mark_pixel,
-        [LESSON_BAR] = move_bar,
-        [LESSON_DRAG] = drag_light,  [LESSON_SELECT] = select_object,
-        [LESSON_SET] = set_field,    [LESSON_MOVE] = move_object,
-        [LESSON_CAPTION] = stop,     [LESSON_ASK] = stop,
-        [LESSON_EXPLAIN] = stop,     [LESSON_SNAPSHOT] = take_snapshot,
+        [LESSON_PRESS] = press,   [LESSON_RELEASE] = release,  [LESSON_SPEED] = set_speed,
+        [LESSON_TURN] = turn,     [LESSON_ORBIT] = orbit,      [LESSON_PAN] = pan,
+        [LESSON_ZOOM] = zoom,     [LESSON_SIZE] = set_size,    [LESSON_PIXEL] = pick_pixel,
+        [LESSON_WALK] = walk,     [LESSON_RAY] = choose_ray,   [LESSON_MARK] = mark_pixel,
+        [LESSON_BAR] = move_bar,  [LESSON_DRAG] = drag_light,  [LESSON_SELECT] = select_object,
+        [LESSON_SET] = set_field, [LESSON_MOVE] = move_object, [LESSON_CAPTION] = stop,
+        [LESSON_ASK] = stop,      [LESSON_EXPLAIN] = stop,     [LESSON_SNAPSHOT] = take_snapshot,
     };
     actions[step->kind](app, step);
 }

@@ -125,8 +125,7 @@ static void play_until(App *app, int64_t until) {
     const Lesson *lesson = player->lesson;
     // A second picture, and rays, are there at the end of a frame; what follows may change them.
     while (!app_is_lesson_stopped(app) && player->next_step < lesson->count &&
-           lesson->steps[player->next_step].time <= until &&
-           !window_awaits_frame(&app->window)) {
+           lesson->steps[player->next_step].time <= until && !window_awaits_frame(&app->window)) {
         const LessonStep *step = &lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         lesson_step_do(app, step);

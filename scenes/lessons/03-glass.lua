@@ -43,6 +43,7 @@ caption { wait = true,
 ask(order)
 set_depth(8)
 wait(1)
+explain()
 
 mark(0.63, 0.46)
 ask {
@@ -84,9 +85,9 @@ ask {
   right = 2,
   because = {
     en = "In the middle it is not quite 4 %. Near the rim, where the ray comes flat, it is many times that, as the first line says; at the very edge nearly all. That is Fresnel's law.",
-    fr = "Au centre, c’est un peu moins de 4 %. Près du bord, le rayon est rasant et c’est bien davantage, comme le dit la première ligne ; tout au bord, presque tout est réfléchi : ce sont les formules de Fresnel." },
+    fr = "Au centre, c’est un peu moins de 4 %. Près du bord, le rayon est rasant et c’est bien davantage, comme le dit la première ligne ; tout au bord, presque tout est réfléchi : ce sont les formules de Fresnel." },
 }
-set_depth(1)
+set_depth(2)
 press "shadow rays"
 pixel(0.5, 0.46)
 wait(3)

@@ -45,7 +45,8 @@ mark(0.55, 0.92)
 ask {
   en = "The floor is matt, and there is one lamp. How many rays does this pixel need in all?",
   fr = "Le sol est mat, et il y a une seule lampe. Combien de rayons faut-il en tout pour ce pixel ?",
-  choices = { "1", "2", "3", { en = "As many as there are things", fr = "Autant que d’objets" } },
+  choices = { { en = "One", fr = "Un seul" }, { en = "Two", fr = "Deux" }, { en = "Three", fr = "Trois" },
+              { en = "As many as there are things", fr = "Autant que d’objets" } },
   right = 2,
   because = {
     en = "Two: ray 0 from the eye to the floor, and ray 1, the shadow ray, from the floor to the lamp.",

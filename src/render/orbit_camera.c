@@ -61,9 +61,14 @@ static double drawn_length(const RayTreeNode *ray, double maximum) {
     return length <= WHOLE_RAY_FACTOR * maximum ? length : maximum;
 }
 
-/** @return The points of a tree: the ends of all rays, as far as they are drawn. @param radius See
- *  #OrbitCamera.ray_length_maximum. */
-static RayPoints ray_points_of(const RayTree *tree, double radius) {
+/** @return Whether a ray is drawn: rays of hidden kinds are not, but for the first. */
+static bool is_drawn(const RayTree *tree, size_t ray, unsigned hidden_kinds) {
+    return ray == 0 || !(hidden_kinds >> tree->nodes[ray].kind & 1);
+}
+
+/** @return The points of a tree: the ends of all rays, as far as they are drawn, and the lamps that
+ *  blocked shadow rays were sent to. @param radius See #OrbitCamera.ray_length_maximum. */
+static RayPoints ray_points_of(const RayTree *tree, unsigned hidden_kinds, double radius) {
     RayPoints points = {.count = 0};
     const RayTreeNode *camera = &tree->nodes[0];
     Vec3d first = ray_at(camera, fmin(ray_length(camera), radius));
@@ -71,6 +76,12 @@ static RayPoints ray_points_of(const RayTree *tree, double radius) {
     ray_points_add(&points, first, first, HUGE_VAL);
     for (size_t i = 1; i < tree->count; i++) {
         const RayTreeNode *ray = &tree->nodes[i];
+        if (!is_drawn(tree, i, hidden_kinds)) {
+            continue;
+        }
+        if (ray->kind == RAY_SHADOW && ray->is_hit && ray->limit <= WHOLE_RAY_FACTOR * radius) {
+            ray_points_add(&points, ray_at(ray, ray->limit), first, HUGE_VAL);
+        }
         // The infinite ones count as short, so that the others fill the picture.
         bool is_whole = drawn_length(ray, radius) == ray_length(ray);
         double length = is_whole ? ray_length(ray) : radius / 2;
@@ -113,22 +124,45 @@ static size_t count_visible(const Renderer *renderer, const CutAway *cut, const 
     return visible;
 }
 
-/** Rotates the camera to where it sees the most points. @param[in,out] orbit Has the pan of the
- *  pixel's camera. */
-static void choose_angles(const Renderer *renderer, const CutAway *cut, OrbitCamera *orbit,
-                          const RayPoints *points) {
+/** @return How clearly the rays lie apart in a picture, 0 to 1: how much it shows of their lengths,
+ *  and of the angles between each and the one that it comes from. Rays count by their share of the
+ *  pixel's light. @param forward Direction of view, of length 1. */
+static double view_clarity(const RayTree *tree, unsigned hidden_kinds, Vec3d forward) {
+    const RayTreeNode *rays = tree->nodes;
+    double seen = vec3d_length(vec3d_cross(rays[0].direction, forward)), lengths = 1;
+    double open = 0, angles = 0;
+    for (size_t i = 1; i < tree->count; i++) {
+        if (is_drawn(tree, i, hidden_kinds)) {
+            const Vec3d direction = rays[i].direction;
+            const Vec3d plane = vec3d_cross(rays[rays[i].parent].direction, direction);
+            const double share = rays[i].throughput;
+            seen += share * vec3d_length(vec3d_cross(direction, forward));
+            lengths += share;
+            open += share * fabs(vec3d_dot(plane, forward));
+            angles += share * vec3d_length(plane);
+        }
+    }
+    return angles > 0 ? (seen / lengths + open / angles) / 2 : seen / lengths;
+}
+
+/** Rotates the camera to where it sees the most points, and the rays lie apart. @param[in,out]
+ *  orbit Has the pan of the pixel's camera. */
+static void choose_angles(const Renderer *renderer, const CutAway *cut, const RayTree *tree,
+                          unsigned hidden_kinds, OrbitCamera *orbit) {
     static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
     static const double tilts[] = {-18, -40, -5, -65};
-    double initial_pan = orbit->pan;
+    const RayPoints points = ray_points_of(tree, hidden_kinds, orbit->ray_length_maximum);
+    double initial_pan = orbit->pan, best_score = -1;
     OrbitCamera best = *orbit;
-    size_t best_count = 0;
     for (size_t i = 0; i < sizeof pans / sizeof *pans * (sizeof tilts / sizeof *tilts); i++) {
         orbit->pan = initial_pan + pans[i % (sizeof pans / sizeof *pans)];
         orbit->tilt = tilts[i / (sizeof pans / sizeof *pans)];
-        size_t count = count_visible(renderer, cut, orbit, points);
-        if (i == 0 || count > best_count) {
+        double clarity = view_clarity(tree, hidden_kinds, orbit_camera_direction(orbit));
+        // A view from where rays lie upon each other is worth half of one where they lie apart.
+        double score = (double)count_visible(renderer, cut, orbit, &points) * (1 + clarity);
+        if (score > best_score) {
             best = *orbit;
-            best_count = count;
+            best_score = score;
         }
     }
     *orbit = best;
@@ -139,10 +173,17 @@ void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt) {
     orbit->tilt = fmin(fmax(orbit->tilt + tilt, -ORBIT_TILT_MAXIMUM), ORBIT_TILT_MAXIMUM);
 }
 
-void orbit_camera_zoom(OrbitCamera *orbit, double factor) {
+Vec3d orbit_camera_ray_middle(const OrbitCamera *orbit, const RayTreeNode *ray) {
+    return ray_at(ray, drawn_length(ray, orbit->ray_length_maximum) / 2);
+}
+
+void orbit_camera_zoom(OrbitCamera *orbit, double factor, Vec3d focus) {
     /** Times as near, or as far, as at first. */
     const double range = 50;
-    orbit->zoom = fmin(fmax(orbit->zoom * factor, 1 / range), range);
+    const double before = orbit->zoom;
+    orbit->zoom = fmin(fmax(before * factor, 1 / range), range);
+    const Vec3d off = vec3d_subtract(orbit->target, focus);
+    orbit->target = vec3d_add(focus, vec3d_scale(off, before / orbit->zoom));
 }
 
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height) {
@@ -208,13 +249,13 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
 }
 
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
-                             const RayTree *tree, int width, int height) {
+                             const RayTree *tree, unsigned hidden_kinds, int width, int height) {
     const SceneCamera *camera = &scene->camera;
     double first = ray_length(&tree->nodes[0]);
     OrbitCamera orbit = {.zoom = 1,
                          .ray_length_maximum = MAX_DISTANCE_FACTOR *
                                                (isfinite(first) ? first : camera->target_distance)};
-    RayPoints points = ray_points_of(tree, orbit.ray_length_maximum);
+    RayPoints points = ray_points_of(tree, hidden_kinds, orbit.ray_length_maximum);
     Vec3d low = points.points[0], high = low;
     for (size_t i = 1; i < points.count; i++) {
         low = vec3d_min(low, points.points[i]);
@@ -225,7 +266,7 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const
         orbit.radius = fmax(orbit.radius, points_distance(points.points[i], orbit.target));
     }
     orbit.pan = atan2(camera->direction.x, -camera->direction.z) * (180 / M_PI);
-    choose_angles(renderer, cut, &orbit, &points);
+    choose_angles(renderer, cut, tree, hidden_kinds, &orbit);
     orbit_camera_fit_points(&orbit, &points, width, height);
     return orbit;
 }
@@ -234,7 +275,7 @@ ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, V
                                 Vec3d up, int width, int height, double *nearest) {
     /** Distance of the camera, in sizes of the picture. */
     const double distance = 1e4;
-    RayPoints points = ray_points_of(tree, orbit->ray_length_maximum);
+    RayPoints points = ray_points_of(tree, 0, orbit->ray_length_maximum);
     SceneCamera camera = {.direction = forward, .up = up};
     Vec3d low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < points.count; i++) {

@@ -33,15 +33,16 @@ typedef struct ProjectedRay {
 } ProjectedRay;
 
 /**
- * Chooses an orbit: to the side of the pixel's camera, where the fewest points of the rays are
- * occluded.
+ * Chooses an orbit: to the side of the pixel's camera, where few points of the rays are occluded
+ * and the rays lie clearly apart.
  * @param cut     Which shapes may be left out: they occlude nothing.
+ * @param hidden_kinds  Kinds of rays that are not drawn, and need no room: bit i is #RayType i.
  * @param width   Of the second camera's picture, pixels; the rays and their lights fill it.
  * @param height  See width.
  * @return The orbit.
  */
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
-                             const RayTree *tree, int width, int height);
+                             const RayTree *tree, unsigned hidden_kinds, int width, int height);
 
 /**
  * Rotates a camera around its target.
@@ -50,8 +51,12 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const
  */
 void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt);
 
-/** Multiplies the magnification by a factor. */
-void orbit_camera_zoom(OrbitCamera *orbit, double factor);
+/** Multiplies the magnification by a factor. @param focus The point that keeps its place in the
+ *  direction of view: what lies around it comes to the middle. */
+void orbit_camera_zoom(OrbitCamera *orbit, double factor, Vec3d focus);
+
+/** @return The middle of a ray, as far as it is drawn. */
+Vec3d orbit_camera_ray_middle(const OrbitCamera *orbit, const RayTreeNode *ray);
 
 /**
  * @return The camera on an orbit.

@@ -168,10 +168,9 @@ typedef struct TitleState {
 
 /** The end of the program. */
 typedef struct ExitState {
-    bool is_requested;       /**< Whether the window is to be closed. */
-    Status status;           /**< Exit status of the program. */
-    const char *question;    /**< What was asked before leaving, in English; NULL: nothing. */
-    double confirmation_end; /**< Until when leaving again answers it, seconds. */
+    bool is_requested;    /**< Whether the window is to be closed. */
+    Status status;        /**< Exit status of the program. */
+    const char *question; /**< What was asked before leaving, in English; NULL: nothing. */
 } ExitState;
 
 /** The state of an open window. */

@@ -142,8 +142,9 @@ void window_forget_changes(Window *window);
 /** Changes the mode of the split view. @param step 1: the next; -1: the previous. */
 void window_cycle_split(Window *window, int step);
 
-/** @return Whether a second picture is wanted, and opens at the end of the frame. */
-bool window_awaits_second_picture(const Window *window);
+/** @return Whether a second picture is wanted, or the rays of another pixel: both are there at the
+ *  end of the frame. */
+bool window_awaits_frame(const Window *window);
 
 /** Makes the other viewport the active one. */
 void window_swap_active(Window *window);
@@ -240,6 +241,9 @@ void window_end_hint(Window *window);
 
 /** Takes the message on the picture away. */
 void window_end_toast(Window *window);
+
+/** Shows the message on the picture until it is replaced or ended. */
+void window_keep_toast(Window *window);
 
 /** Shows a message on the picture for a while. */
 void window_set_toast(Window *window, const char *text);

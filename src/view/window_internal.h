@@ -31,6 +31,9 @@ GuiRect window_area_units(const Window *window);
  */
 GuiRect window_area_below_button(const Window *window);
 
+/** @return The same with the part of the lesson's panel: for what covers both. */
+GuiRect window_whole_below_button(const Window *window);
+
 /** @return The height of letters, screen units. The bar does not count, as it grows with them. */
 float window_text_size(const Window *window);
 

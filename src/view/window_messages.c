@@ -24,6 +24,10 @@ void window_set_toast(Window *window, const char *text) {
     }
 }
 
+void window_keep_toast(Window *window) {
+    window->toast.end_time = HUGE_VAL;
+}
+
 void window_end_toast(Window *window) {
     window->toast.end_time = 0;
 }

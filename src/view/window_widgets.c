@@ -196,7 +196,9 @@ void window_show_widgets(Window *window) {
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
     if (window->help.is_open || window->browser.is_open) {
-        gui_take_keyboard(window->gui); // They have keys of their own.
+        gui_take_keyboard(window->gui);           // They have keys of their own.
+        area = window_whole_below_button(window); // The words of a lesson are not shown meanwhile.
+        bottom = area.y + area.height;
     }
     if (window->help.is_open) {
         show_help(window, &area);

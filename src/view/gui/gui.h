@@ -126,7 +126,7 @@ typedef enum {
     GUI_COLOR_HEADING,                    /**< Headings. */
     GUI_COLOR_ERROR,                      /**< Errors. */
     GUI_COLOR_GROUP,                      /**< The first group of commands; the others follow. */
-    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 8 /**< Number of colours. */
+    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 9 /**< Number of colours. */
 } GuiColor;
 
 /** @return The colour of a group of commands. @param group From 1; beyond the last it begins anew.
@@ -227,15 +227,21 @@ void gui_gallery_begin(const char *id, const GuiRect *room);
 typedef struct GuiThumbnail {
     SDL_Texture *texture; /**< The picture; NULL: none yet. */
     const char *name;     /**< Name below it. */
-    const char *message;  /**< Text in place of the picture; NULL: none. */
-    GuiColor color;       /**< Colour of that text. */
-    bool is_selected;     /**< Whether it is selected. */
-    bool scrolls_to_it;   /**< Whether the panel scrolls to it. */
+    float
+        name_height; /**< Room for the name: the largest #gui_thumbnail_name_height of its line. */
+    const char *message; /**< Text in place of the picture; NULL: none. */
+    GuiColor color;      /**< Colour of that text. */
+    bool is_selected;    /**< Whether it is selected. */
+    bool scrolls_to_it;  /**< Whether the panel scrolls to it. */
 } GuiThumbnail;
 
 /** @return Width of a thumbnail when as many as fit stand side by side in a panel. @param[out]
  *  columns How many that are. */
 float gui_thumbnail_width(int *columns);
+
+/** @return Height of the name of a thumbnail: two lines of text, or up to four that it needs.
+ * @param width Width of the thumbnail. */
+float gui_thumbnail_name_height(const char *name, float width);
 
 /** Draws a picture of a list. @param column Its column; 0 begins a new line. @param[out] is_seen
  *  Whether any part of it is in sight. */

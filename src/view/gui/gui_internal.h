@@ -30,10 +30,10 @@ constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWind
 /** The palette, by #GuiColor. Groups are distinct for colour-blind viewers too. */
 constexpr ImU32 PALETTE[GUI_COLOR_COUNT] = {
     IM_COL32(240, 240, 240, 255), IM_COL32(150, 156, 170, 255), IM_COL32(255, 205, 90, 255),
-    IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(255, 205, 90, 255),
-    IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),  IM_COL32(255, 145, 110, 255),
-    IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(165, 155, 255, 255),
-    IM_COL32(215, 225, 120, 255)};
+    IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(220, 178, 130, 255),
+    IM_COL32(255, 205, 90, 255),  IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),
+    IM_COL32(255, 145, 110, 255), IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255),
+    IM_COL32(165, 155, 255, 255), IM_COL32(215, 225, 120, 255)};
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = PALETTE[GUI_COLOR_ACCENT];
 /** Colour of outlines on the picture: seen on light and dark ground. */

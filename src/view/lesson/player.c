@@ -123,15 +123,14 @@ static void finish_lesson(App *app) {
 static void play_until(App *app, int64_t until) {
     Player *player = &app->player;
     const Lesson *lesson = player->lesson;
-    // The second picture opens at the end of a frame; what follows may change it.
+    // A second picture, and rays, are there at the end of a frame; what follows may change them.
     while (!app_is_lesson_stopped(app) && player->next_step < lesson->count &&
-           lesson->steps[player->next_step].time <= until &&
-           !window_awaits_second_picture(&app->window)) {
+           lesson->steps[player->next_step].time <= until && !window_awaits_frame(&app->window)) {
         const LessonStep *step = &lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         lesson_step_do(app, step);
     }
-    if (app_is_lesson_stopped(app) || window_awaits_second_picture(&app->window)) {
+    if (app_is_lesson_stopped(app) || window_awaits_frame(&app->window)) {
         return;
     }
     if (player->next_step == lesson->count) {
@@ -144,7 +143,7 @@ static void play_until(App *app, int64_t until) {
 void player_repeat_steps(App *app) {
     Player *player = &app->player;
     while (player->next_step < player->repeat_end && !app_is_lesson_stopped(app) &&
-           !window_awaits_second_picture(&app->window)) {
+           !window_awaits_frame(&app->window)) {
         const LessonStep *step = &player->lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         lesson_step_do(app, step);

@@ -95,11 +95,12 @@ static void show_state(LessonPanel *panel) {
     const char *label = gettext(is_asked_again(panel) ? N_("Once more: what do you predict now?")
                                 : panel->is_asking    ? N_("What do you predict?")
                                 : panel->is_waiting   ? N_("go on (Space)")
-                                                      : N_("hold (Space)"));
+                                : panel->is_before_verdict ? N_("the answer (Space)")
+                                                           : N_("hold (Space)"));
     gui_same_line(label);
     if (panel->is_asking) {
         gui_heading(label);
-    } else if (gui_step_button(label, NULL, true, panel->is_waiting)) {
+    } else if (gui_step_button(label, NULL, true, panel->is_waiting || panel->is_before_verdict)) {
         request(panel, LESSON_REQUEST_RESUME, 0);
     }
 }

@@ -14,6 +14,8 @@ static const double ZOOM_PER_SECOND = 2;
 static const double COLUMN_FRACTION = 0.4;
 /** Size of the inset, fraction of the window. */
 static const double INSET_FRACTION = 0.3;
+/** Length of an arm of the mark at the pixel, fraction of the picture's height. */
+static const double MARK_FRACTION = 0.08;
 /** Width of the drawing beside the view, fraction of both. */
 static const double PANE_FRACTION = 0.5;
 /** Rows of text that fill the height of the window, as everywhere in it. */
@@ -22,6 +24,8 @@ static const double ROWS_PER_WINDOW = 30;
 static const double TEXT_SIZE_MINIMUM = 14;
 /** Height of the formulas, fraction of the window: they are what the view is opened for. */
 static const double FORMULAS_FRACTION = 0.42;
+/** The same in a lesson, whose words stand beside the view and are about the picture. */
+static const double LESSON_FORMULAS_FRACTION = 0.25;
 /** Difference of heights of the buttons that is only rounding. */
 static const double BUTTONS_TOLERANCE = 0.004;
 /** Seconds in which a ray flies along its path. */
@@ -35,7 +39,9 @@ void ray_view_reset(RayView *ray_view) {
     if (ray_view->is_open) {
         ray_view_toggle(ray_view);
     }
-    ray_view->has_pixel = false;
+    ray_view->has_pixel = ray_view->is_marked = ray_view->is_along_light = false;
+    ray_view->hidden_kinds = 0;
+    ray_view->pane = RAY_PANE_NONE;
 }
 
 void ray_view_toggle(RayView *ray_view) {
@@ -53,7 +59,9 @@ void ray_view_toggle(RayView *ray_view) {
 /** Goes to a pixel. @param x Fraction of the picture's width. @param y Fraction of its height. */
 static void set_pixel(RayView *ray_view, double x, double y) {
     const double last = 1 - 1e-9;
-    ray_view->is_open = ray_view->has_pixel = ray_view->needs_trace = true;
+    ray_view->is_open = ray_view->has_pixel = true;
+    ray_view->needs_trace = ray_view->is_new = true;
+    ray_view->is_marked = false;
     ray_view->x = SDL_clamp(x, 0, last);
     ray_view->y = SDL_clamp(y, 0, last);
     ray_view->selected = 0;
@@ -73,6 +81,11 @@ void ray_view_aim(RayView *ray_view, double x, double y) {
         ray_view->has_pixel = true;
         ray_view->has_orbit = false;
     }
+}
+
+void ray_view_mark(RayView *ray_view, double x, double y) {
+    ray_view_aim(ray_view, x, y);
+    ray_view->is_marked = !ray_view->is_open;
 }
 
 void ray_view_step_pixel(RayView *ray_view, int x, int y) {
@@ -162,7 +175,11 @@ void ray_view_turn_arrows(RayView *ray_view) {
 void ray_view_move(RayView *ray_view, Movement movement) {
     orbit_camera_rotate(&ray_view->orbit, -TURN_PER_SECOND * movement.right,
                         -TURN_PER_SECOND * movement.up);
-    orbit_camera_zoom(&ray_view->orbit, pow(ZOOM_PER_SECOND, movement.forward));
+    if (ray_view->selected < ray_view->ray_tree.count) {
+        const RayTreeNode *chosen = &ray_view->ray_tree.nodes[ray_view->selected];
+        orbit_camera_zoom(&ray_view->orbit, pow(ZOOM_PER_SECOND, movement.forward),
+                          orbit_camera_ray_middle(&ray_view->orbit, chosen));
+    }
     ray_view->needs_draw = true;
 }
 
@@ -215,7 +232,8 @@ static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
 RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
     const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
               top = (int)(ray_view->buttons_fraction * area->h + 0.5),
-              formulas = (int)(FORMULAS_FRACTION * area->h);
+              formulas = (int)(area->h * (ray_view->is_in_lesson ? LESSON_FORMULAS_FRACTION
+                                                                 : FORMULAS_FRACTION));
     RayViewLayout layout = {
         .buttons = {area->x, area->y, area->w, top},
         .formulas = {area->x, area->y + top, width, formulas},
@@ -272,7 +290,7 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
     int x = (int)(ray_view->x * input->viewport->width),
         y = (int)(ray_view->y * input->viewport->height);
     RayTree *ray_tree = &ray_view->ray_tree;
-    ray_view->needs_trace = false;
+    ray_view->needs_trace = ray_view->is_new = false;
     ray_view->width = input->viewport->width;
     ray_view->height = input->viewport->height;
     if (!renderer_record_ray_tree(input->viewport->renderer, x, y, ray_tree, error)) {
@@ -283,7 +301,7 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
     if (!ray_view->has_orbit) {
         SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
         ray_view->orbit = orbit_camera_fit(input->viewport->renderer, input->scene, &ray_view->cut,
-                                           ray_tree, rect.w, rect.h);
+                                           ray_tree, ray_view->hidden_kinds, rect.w, rect.h);
         ray_view->has_orbit = true;
     }
     ray_view->selected = SDL_min(ray_view->selected, ray_tree->count - 1);
@@ -406,13 +424,10 @@ bool ray_view_update(RayView *ray_view, const RayViewInput *input, SDL_Renderer 
 /* --- showing -----------------------------------------------------------------------------------
  */
 
-/** Draws the inset: the picture, and a mark at the pixel. */
-static void draw_inset(const RayView *ray_view, const StreamingTexture *texture,
-                       SDL_Renderer *renderer, const SDL_Rect *rect) {
-    streaming_texture_draw(texture, renderer, rect, rect);
+void ray_view_show_mark(const RayView *ray_view, SDL_Renderer *renderer, const SDL_Rect *rect) {
     SDL_RenderSetClipRect(renderer, rect);
     ray_overlay_mark_pixel(renderer, rect->x + ray_view->x * rect->w,
-                           rect->y + ray_view->y * rect->h, 0.08 * rect->h);
+                           rect->y + ray_view->y * rect->h, MARK_FRACTION * rect->h);
     SDL_RenderSetClipRect(renderer, NULL);
 }
 
@@ -430,7 +445,8 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
     if (ray_view->pane != RAY_PANE_NONE && ray_view->pane_image.texture) {
         SDL_RenderCopy(renderer, ray_view->pane_image.texture, NULL, &layout.pane);
     }
-    draw_inset(ray_view, texture, renderer, &layout.inset);
+    streaming_texture_draw(texture, renderer, &layout.inset, &layout.inset);
+    ray_view_show_mark(ray_view, renderer, &layout.inset);
 }
 
 void ray_view_release_textures(RayView *ray_view) {

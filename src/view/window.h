@@ -13,6 +13,7 @@
 #include "view/panels/light_marks.h"
 #include "view/panels/magnifier.h"
 #include "view/panels/object_inspector.h"
+#include "view/panels/picture_projection.h"
 #include "view/panels/ray_view.h"
 #include "view/panels/settings_chart_panel.h"
 #include "view/panels/toolbar.h"

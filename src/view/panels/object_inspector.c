@@ -6,7 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene_words.h"
-#include "view/panels/light_marks.h"
+#include "view/panels/picture_projection.h"
 #include "view/panels/thing_title.h"
 
 #include <libintl.h>

@@ -7,6 +7,7 @@
 
 #include "base/language.h"
 #include "base/typeset_numbers.h"
+#include "render/ray_hit.h"
 #include "view/gui/gui.h"
 #include "view/panels/tooltip.h"
 

@@ -4,12 +4,7 @@
  */
 #include "render/orbit_camera.h"
 
-#include "base/language.h"
-#include "dioptre/scene_words.h"
 #include "render/renderer_internal.h"
-
-#include <libintl.h>
-#include <stdio.h>
 
 /** Horizontal field of view of the second camera, degrees. */
 static const double ORBIT_FOV = 40;
@@ -21,8 +16,8 @@ static const double WHOLE_RAY_FACTOR = 4;
 static const double FIT_MARGIN = 1.25;
 /** Largest tilt, degrees. */
 static const double ORBIT_TILT_MAXIMUM = 89;
-/** Distance of the near plane, relative to that of the target. */
-static const double NEAR_PLANE = 1e-3;
+/** Least depth of a ray, and least size of a picture by parallel light, relative to the rays. */
+static const double LEAST_FRACTION = 1e-3;
 
 /** Most points of a tree. */
 enum { RAY_POINTS_MAXIMUM = 64 };
@@ -199,13 +194,6 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
     return (ProjectedView){camera, width, height};
 }
 
-/** @return A point in camera coordinates: to the right, up, and ahead. */
-static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
-    Vec3d from = vec3d_subtract(point, camera->position);
-    return (Vec3d){vec3d_dot(from, scene_camera_right(camera)), vec3d_dot(from, camera->up),
-                   vec3d_dot(from, camera->direction)};
-}
-
 /** The cone of places along one axis of the picture from which all points are in sight. */
 typedef struct SightCone {
     double low;  /**< Its one side at depth 0: the maximum of coordinate minus slope times depth. */
@@ -228,7 +216,7 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
     ProjectedView view = orbit_camera_project(orbit, width, height);
     double nearest = HUGE_VAL, farthest = -HUGE_VAL;
     for (size_t i = 0; i < points->count; i++) {
-        Vec3d p = to_camera_space(&view.camera, points->points[i]);
+        Vec3d p = camera_space(&view.camera, points->points[i]);
         const double across[] = {p.x, p.y};
         nearest = fmin(nearest, p.z);
         farthest = fmax(farthest, p.z);
@@ -238,7 +226,7 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
             cone->high = fmin(cone->high, across[axis] + cone->slope * p.z);
         }
     }
-    double least = NEAR_PLANE * orbit->radius, middle = (nearest + farthest) / 2;
+    double least = LEAST_FRACTION * orbit->radius, middle = (nearest + farthest) / 2;
     double depth = fmin(fmin(cone_depth(&cones[0]), cone_depth(&cones[1])), nearest - least);
     Vec3d right = vec3d_scale(scene_camera_right(&view.camera), (cones[0].low + cones[0].high) / 2);
     Vec3d up = vec3d_scale(view.camera.up, (cones[1].low + cones[1].high) / 2);
@@ -279,13 +267,13 @@ ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, V
     SceneCamera camera = {.direction = forward, .up = up};
     Vec3d low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < points.count; i++) {
-        Vec3d p = to_camera_space(&camera, points.points[i]);
+        Vec3d p = camera_space(&camera, points.points[i]);
         low = vec3d_min(low, p);
         high = vec3d_max(high, p);
     }
     Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
     double size = fmax(high.x - low.x, (high.y - low.y) * width / height);
-    size = FIT_MARGIN * fmax(size, NEAR_PLANE * fmax(1e-3, vec3d_max_abs(middle)));
+    size = FIT_MARGIN * fmax(size, LEAST_FRACTION * fmax(1e-3, vec3d_max_abs(middle)));
     camera.target_distance = distance * size;
     camera.fov = 2 * atan(0.5 / distance) * (180 / M_PI);
     camera.look_at =
@@ -294,27 +282,6 @@ ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, V
     camera.position = vec3d_subtract(camera.look_at, vec3d_scale(forward, camera.target_distance));
     *nearest = camera.target_distance + low.z - middle.z;
     return (ProjectedView){camera, width, height};
-}
-
-/** Projects a point. @param p The point, see #to_camera_space; it is ahead. */
-static void project_point(const ProjectedView *view, Vec3d p, double *x, double *y) {
-    double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
-    *x = view->width / 2.0 + p.x / p.z / pixel;
-    *y = view->height / 2.0 - p.y / p.z / pixel;
-}
-
-double projected_view_scale(const ProjectedView *view, Vec3d point) {
-    double depth = to_camera_space(&view->camera, point).z;
-    return view->width / (2 * tan(view->camera.fov / 2 * (M_PI / 180)) * depth);
-}
-
-bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y) {
-    Vec3d p = to_camera_space(&view->camera, point);
-    if (p.z <= NEAR_PLANE * view->camera.target_distance) {
-        return false;
-    }
-    project_point(view, p, x, y);
-    return true;
 }
 
 /** @return The intersection of a line with the near plane. @param behind Its end behind it. */
@@ -328,10 +295,10 @@ static Vec3d clip_to_near(Vec3d behind, Vec3d ahead, double near_plane) {
 
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected) {
-    double length = ray_length(ray), near_plane = NEAR_PLANE * view->camera.target_distance;
-    Vec3d from = to_camera_space(&view->camera, ray->origin);
+    double length = ray_length(ray), near_plane = camera_near_depth(&view->camera);
+    Vec3d from = camera_space(&view->camera, ray->origin);
     double drawn = drawn_length(ray, orbit->ray_length_maximum);
-    Vec3d to = to_camera_space(&view->camera, ray_at(ray, drawn));
+    Vec3d to = camera_space(&view->camera, ray_at(ray, drawn));
     projected->is_truncated = length > drawn;
     if (from.z <= near_plane && to.z <= near_plane) {
         return false;
@@ -341,33 +308,7 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
     } else if (to.z < near_plane) {
         to = clip_to_near(to, from, near_plane);
     }
-    project_point(view, from, &projected->x[0], &projected->y[0]);
-    project_point(view, to, &projected->x[1], &projected->y[1]);
+    projected_view_place(view, from, &projected->x[0], &projected->y[0]);
+    projected_view_place(view, to, &projected->x[1], &projected->y[1]);
     return true;
-}
-
-const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray) {
-    return scene_shape_keywords[scene->shapes[ray->shape].class_index]->name;
-}
-
-void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]) {
-    if (!ray->is_hit) {
-        snprintf(name, RAY_HIT_NAME_SIZE, "%s", gettext("nothing but the sky"));
-    } else if (ray->shape < 0) {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("lamp %d"), ray->light + 1);
-    } else if (scene->shapes[ray->shape].origin.line > 0) {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"),
-                 scene_word(ray_hit_keyword(scene, ray)), scene->shapes[ray->shape].origin.line);
-    } else {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"),
-                 scene_word(ray_hit_keyword(scene, ray)), ray->shape + 1);
-    }
-}
-
-bool ray_is_in_glass(const RayTreeNode *ray) {
-    return ray->surface.is_transparent && ray->surface.is_inside;
-}
-
-double ray_incidence_angle(const RayTreeNode *ray) {
-    return acos(fmin(1, ray->surface.cosine)) * (180 / M_PI);
 }

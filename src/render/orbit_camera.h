@@ -7,6 +7,7 @@
 
 #include "dioptre/renderer.h"
 #include "render/cut_away.h"
+#include "render/projected_view.h"
 
 /** A camera on a sphere around a target. */
 typedef struct OrbitCamera {
@@ -18,14 +19,7 @@ typedef struct OrbitCamera {
     double zoom;               /**< Magnification; 1: all rays fit in. */
 } OrbitCamera;
 
-/** The second camera and the size of its picture. */
-typedef struct ProjectedView {
-    SceneCamera camera; /**< The camera. */
-    int width;          /**< Pixels. */
-    int height;         /**< Pixels. */
-} ProjectedView;
-
-/** A ray in that picture, in pixels from its left and upper edge. */
+/** A ray in the second camera's picture, in pixels from its left and upper edge. */
 typedef struct ProjectedRay {
     double x[2];       /**< Where it starts and ends. */
     double y[2];       /**< See #x. */
@@ -66,17 +60,6 @@ Vec3d orbit_camera_ray_middle(const OrbitCamera *orbit, const RayTreeNode *ray);
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height);
 
 /**
- * Projects a point.
- * @param[out] x  Pixels from the left edge.
- * @param[out] y  Pixels from the upper edge.
- * @return Whether it is in front of the camera.
- */
-bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y);
-
-/** @return Pixels of a scene unit at a point in front of the camera, across the view. */
-double projected_view_scale(const ProjectedView *view, Vec3d point);
-
-/**
  * Projects a ray.
  * @param[out] projected  The line, clipped to the front of the camera.
  * @return Whether any of it is in front of the camera.
@@ -94,24 +77,5 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
  */
 ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
                                 Vec3d up, int width, int height, double *nearest);
-
-/** Longest name of what a ray hit, bytes with its final zero. */
-enum { RAY_HIT_NAME_SIZE = 64 };
-
-/**
- * @return The keyword of the shape that a ray hit.
- * @param ray  A ray that hit one.
- */
-const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray);
-
-/** Names what a ray hit, in the user's language: a shape, a light or the sky. */
-void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]);
-
-/** @return Whether a ray meets a surface from inside glass. A floor has no inside, whichever way
- * its normal points. */
-bool ray_is_in_glass(const RayTreeNode *ray);
-
-/** @return The angle of incidence of a ray that hit a surface, degrees. */
-double ray_incidence_angle(const RayTreeNode *ray);
 
 #endif

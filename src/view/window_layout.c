@@ -296,9 +296,14 @@ static void end_change(Window *window, ToolbarChange change) {
 
 void window_toggle_toolbar(Window *window) {
     const ToolbarChange change = begin_change(window);
-    if (set_toolbar_folded(window, !window->toolbar.is_folded)) {
+    const bool is_wanted = window->toolbar.is_folded;
+    if (window->is_presenting) {
+        window->was_folded = false;
+        window_toggle_presentation(window);
+    } else if (set_toolbar_folded(window, !is_wanted)) {
         end_change(window, change);
-    } else {
+    }
+    if (is_wanted && window->toolbar.is_folded) {
         window_set_toast(window, gettext("the window is too small for the toolbar"));
     }
 }
@@ -306,7 +311,10 @@ void window_toggle_toolbar(Window *window) {
 void window_toggle_presentation(Window *window) {
     const ToolbarChange change = begin_change(window);
     window->is_presenting = !window->is_presenting;
-    window->toolbar.is_folded = window->is_presenting;
+    if (window->is_presenting) {
+        window->was_folded = window->toolbar.is_folded;
+    }
+    window->toolbar.is_folded = window->is_presenting || window->was_folded;
     window_relayout_toolbar(window);
     end_change(window, change);
     if (window->gui) {

@@ -10,10 +10,14 @@ enum { REVEAL_FRAMES = 4 };
 static const double TURN_PER_SECOND = 45;
 /** Factor of the zoom per second of a held key. */
 static const double ZOOM_PER_SECOND = 2;
-/** Width of the column of numbers, fraction of the window. */
+/** Largest width of the column of the list and the inset, and height of the inset, fraction of the
+ *  view: a picture of the view's own shape fills the column's width. */
 static const double COLUMN_FRACTION = 0.4;
-/** Size of the inset, fraction of the window. */
-static const double INSET_FRACTION = 0.3;
+/** Least width of that column, fraction of the view: its rows would break into single words. */
+static const double COLUMN_FRACTION_MINIMUM = 0.3;
+/** Colour of the ground beside an inset that is narrower than its column, 0xRRGGBB: that of the
+ *  list above it. */
+static const unsigned INSET_GROUND = 0x0d0f18;
 /** Length of an arm of the mark at the pixel, fraction of the picture's height. */
 static const double MARK_FRACTION = 0.08;
 /** Width of the drawing beside the view, fraction of both. */
@@ -22,8 +26,10 @@ static const double PANE_FRACTION = 0.5;
 static const double ROWS_PER_WINDOW = 30;
 /** Smallest height of letters, pixels. */
 static const double TEXT_SIZE_MINIMUM = 14;
-/** Height of the formulas, fraction of the window: they are what the view is opened for. */
-static const double FORMULAS_FRACTION = 0.42;
+/** Width of the line between the view and the inset, fraction of the view's height. */
+static const double RULE_FRACTION = 0.004;
+/** Height of formulas and sum, fraction of the view: they are what it is opened for. */
+static const double FORMULAS_FRACTION = 0.46;
 /** The same in a lesson, whose words stand beside the view and are about the picture. */
 static const double LESSON_FORMULAS_FRACTION = 0.25;
 /** Difference of heights of the buttons that is only rounding. */
@@ -216,29 +222,38 @@ void ray_view_stop(RayView *ray_view) {
 /* --- rooms of the window ------------------------------------------------------------------------
  */
 
-/** @return Rectangle of the inset with the picture. */
-static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
-    SDL_Rect rect = {.w = (int)(INSET_FRACTION * area->w), .h = (int)(INSET_FRACTION * area->h)};
-    if (ray_view->width > 0) { // As large as fits, with the shape of the picture.
-        double scale = SDL_min((double)rect.w / ray_view->width, (double)rect.h / ray_view->height);
-        rect.w = (int)(scale * ray_view->width);
-        rect.h = (int)(scale * ray_view->height);
+/** Finds the inset, as large as fits with the shape of the picture, and the room for it in the
+ * lower right corner, which it fills but in a narrow column. */
+static void lay_out_inset(const RayView *ray_view, const SDL_Rect *area, RayViewLayout *layout) {
+    const double widest = COLUMN_FRACTION * area->w, highest = COLUMN_FRACTION * area->h;
+    SDL_Rect inset = {.w = (int)(widest + 0.5), .h = (int)(highest + 0.5)}, room;
+    if (ray_view->width > 0) {
+        double scale = SDL_min(widest / ray_view->width, highest / ray_view->height);
+        inset.w = (int)(scale * ray_view->width + 0.5);
+        inset.h = (int)(scale * ray_view->height + 0.5);
     }
-    rect.x = area->x + area->w - rect.w;
-    rect.y = area->y + area->h - rect.h;
-    return rect;
+    room = inset;
+    room.w = SDL_max(inset.w, (int)(COLUMN_FRACTION_MINIMUM * area->w));
+    room.x = area->x + area->w - room.w;
+    room.y = area->y + area->h - room.h;
+    inset.x = room.x + (room.w - inset.w) / 2;
+    inset.y = room.y;
+    layout->inset = inset;
+    layout->inset_room = room;
 }
 
 RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
-    const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
+    RayViewLayout layout;
+    lay_out_inset(ray_view, area, &layout);
+    const int width = SDL_max(1, area->w - layout.inset_room.w),
               top = (int)(ray_view->buttons_fraction * area->h + 0.5),
               formulas = (int)(area->h * (ray_view->is_in_lesson ? LESSON_FORMULAS_FRACTION
                                                                  : FORMULAS_FRACTION));
-    RayViewLayout layout = {
-        .buttons = {area->x, area->y, area->w, top},
-        .formulas = {area->x, area->y + top, width, formulas},
-        .view = {area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)},
-        .inset = inset_rect(ray_view, area)};
+    layout.buttons = (SDL_Rect){area->x, area->y, area->w, top};
+    layout.formulas = (SDL_Rect){area->x, area->y + top, width, formulas};
+    layout.view =
+        (SDL_Rect){area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)};
+    layout.pane = (SDL_Rect){0};
     if (ray_view->pane != RAY_PANE_NONE) {
         layout.pane = layout.view;
         layout.view.w = SDL_max(1, (int)(width * (1 - PANE_FRACTION)));
@@ -246,7 +261,7 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         layout.pane.w = width - layout.view.w;
     }
     layout.list = (SDL_Rect){area->x + width, area->y + top, area->w - width,
-                             SDL_max(1, layout.inset.y - area->y - top)};
+                             SDL_max(1, layout.inset_room.y - area->y - top)};
     return layout;
 }
 
@@ -431,6 +446,19 @@ void ray_view_show_mark(const RayView *ray_view, SDL_Renderer *renderer, const S
     SDL_RenderSetClipRect(renderer, NULL);
 }
 
+/** Draws the inset: the picture, and a mark at the pixel. */
+static void draw_inset(const RayView *ray_view, const StreamingTexture *texture,
+                       SDL_Renderer *renderer, const SDL_Rect *area, const RayViewLayout *layout) {
+    const SDL_Rect *room = &layout->inset_room;
+    SDL_SetRenderDrawColor(renderer, INSET_GROUND >> 16, INSET_GROUND >> 8 & 255,
+                           INSET_GROUND & 255, 255);
+    SDL_RenderFillRect(renderer, room);
+    streaming_texture_draw(texture, renderer, &layout->inset, &layout->inset);
+    const SDL_Rect rule = {room->x, room->y, (int)ceil(RULE_FRACTION * area->h), room->h};
+    SDL_RenderFillRect(renderer, &rule); // Two skies would run into each other.
+    ray_view_show_mark(ray_view, renderer, &layout->inset);
+}
+
 void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Renderer *renderer,
                    const SDL_Rect *area) {
     RayViewLayout layout = ray_view_layout(ray_view, area);
@@ -445,8 +473,7 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
     if (ray_view->pane != RAY_PANE_NONE && ray_view->pane_image.texture) {
         SDL_RenderCopy(renderer, ray_view->pane_image.texture, NULL, &layout.pane);
     }
-    streaming_texture_draw(texture, renderer, &layout.inset, &layout.inset);
-    ray_view_show_mark(ray_view, renderer, &layout.inset);
+    draw_inset(ray_view, texture, renderer, area, &layout);
 }
 
 void ray_view_release_textures(RayView *ray_view) {

@@ -163,12 +163,13 @@ double ray_view_timeout(const RayView *ray_view, double now);
 
 /** Where the parts of the view are. */
 typedef struct RayViewLayout {
-    SDL_Rect buttons;  /**< The row of buttons at the top. */
-    SDL_Rect view;     /**< The second camera's picture. */
-    SDL_Rect pane;     /**< The drawing beside it; empty: there is none. */
-    SDL_Rect formulas; /**< The formulas of the chosen ray, above it. */
-    SDL_Rect list;     /**< The list of rays and the sum. */
-    SDL_Rect inset;    /**< The picture whose rays are shown. */
+    SDL_Rect buttons;    /**< The row of buttons at the top. */
+    SDL_Rect view;       /**< The second camera's picture. */
+    SDL_Rect pane;       /**< The drawing beside it; empty: there is none. */
+    SDL_Rect formulas;   /**< The formulas of the chosen ray and its sum, above it. */
+    SDL_Rect list;       /**< The list of rays. */
+    SDL_Rect inset_room; /**< The room below the list. */
+    SDL_Rect inset;      /**< The picture whose rays are shown, in that room. */
 } RayViewLayout;
 
 /** @return Where its parts are. @param area The part of the window that it fills, in the unit of

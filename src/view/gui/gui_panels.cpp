@@ -228,7 +228,8 @@ float gui_thumbnail_width(int *columns) {
     const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     int fitting = static_cast<int>((width + gap) / (THUMBNAIL_WIDTH * ImGui::GetFontSize() + gap));
     *columns = fitting > 1 ? fitting : 1;
-    return floorf((width + gap) / static_cast<float>(*columns) - gap);
+    // A button has at least one pixel.
+    return fmaxf(1, floorf((width + gap) / static_cast<float>(*columns) - gap));
 }
 
 float gui_thumbnail_name_height(const char *name, float width) {

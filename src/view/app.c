@@ -33,6 +33,11 @@ void app_set_status(App *app, const char *format, ...) {
     window_set_toast(&app->window, app->title.status_text);
 }
 
+void app_set_title_status(App *app, const char *text) {
+    app_clear_status(app);
+    SDL_strlcpy(app->title.status_text, gettext(text), sizeof app->title.status_text);
+}
+
 void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text) {
     app_set_status(app, "%s", gettext(text));
     app->title.holds = holds;

@@ -202,6 +202,9 @@ typedef struct App {
  * format In English, as for printf; translated here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/** Shows a status in the title alone. @param text In English; translated here. */
+void app_set_title_status(App *app, const char *text);
+
 /** Shows a status that goes, in the title and on the picture, once it does not hold any more.
  *  @param text In English; translated here. */
 void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text);

@@ -4,6 +4,7 @@
  */
 #include "view/lesson/player.h"
 
+#include "base/language.h"
 #include "base/lesson_file.h"
 #include "base/scene_name.h"
 #include "view/commands/current_scene.h"
@@ -102,13 +103,13 @@ void player_open_selected(App *app) {
 static void finish_lesson(App *app) {
     Player *player = &app->player;
     step_clock_advance(&player->step_clock, player->step_clock.now + STEP_CLOCK_TICK);
-    app_set_status(app, "the lesson is over");
+    app_set_title_status(app, N_("the lesson is over")); // On the picture the card says it.
     if (player_is_unattended(app)) {
         player_end(app);
         app->exit.is_requested = true;
         return;
     }
-    window_end_toast(&app->window); // The card says it.
+    window_end_toast(&app->window);
     timeline_pause(&app->timeline, app_clock(app));
     player->state = PLAYER_IS_FINISHED;
     if (!app->settings->load || !lesson_file_next(player->path, player->next_path)) {

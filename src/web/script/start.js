@@ -102,12 +102,17 @@ const applyText = () => {
     openFile(shown);
   }
 };
-const onEdit = () => {
-  clearTimeout(editTimer);
-  editTimer = setTimeout(() => {
+/** What was typed is drawn at once: another scene or a command follows. */
+const endEdit = () => {
+  if (editTimer !== 0) {
+    clearTimeout(editTimer);
     editTimer = 0;
     applyText();
-  }, EDIT_DELAY);
+  }
+};
+const onEdit = () => {
+  clearTimeout(editTimer);
+  editTimer = setTimeout(endEdit, EDIT_DELAY);
 };
 /** The window writes changed objects into the scene's file: the editor shows them, unless it has changes of its own. */
 const takeText = () => {
@@ -129,6 +134,7 @@ const onError = (line) => {
 
 /** Opens a scene in the window. */
 const openScene = (name) => {
+  endEdit();
   openFile(SCENES + name);
   $("canvas").focus();
 };
@@ -273,7 +279,11 @@ const afterPicture = async (later) => {
   editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
   module._free(pointer);
   showText();
-  createPanel({ scene: () => shown, files: commandFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
+  const currentScene = () => {
+    endEdit();
+    return shown;
+  };
+  createPanel({ scene: currentScene, files: commandFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
   self.dioptre = { editor, module };
   for (const name of later) {
     await fetchFile(name);
@@ -311,6 +321,7 @@ const showMode = (mode) => {
 const start = async () => {
   translate();
   $("canvas").setAttribute("aria-label", say("The picture of the scene"));
+  $("panel").setAttribute("aria-label", $("commands").textContent);
   document.body.classList.toggle("embed", new URLSearchParams(location.search).has("embed"));
   setMessage(say("Loading …"));
   const mode = await chooseMode();

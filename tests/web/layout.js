@@ -2,7 +2,7 @@
 // finger. Screenshots are left in build/web-work/screens, to be looked at.
 "use strict";
 
-const { check, launchFirefox, openInFirefox, openPage, screenshot, serve, settled } = require("./browser.js");
+const { PATIENCE, check, launchFirefox, openInFirefox, openPage, pause, screenshot, serve, settled } = require("./browser.js");
 
 const SIZES = {
   desktop: { viewport: { width: 1280, height: 720 } },
@@ -68,8 +68,26 @@ const testChromium = async (browser, url, name, options) => {
   await page.context().close();
 };
 
+/** A page whose picture has no room for a while, such as a slide's frame that is hidden, draws again once it has. */
+const testNoRoom = async (browser, url) => {
+  const problems = [];
+  const page = await openPage(browser, url, problems);
+  const before = await settled(page), stage = (display) => page.evaluate((words) => { document.getElementById("stage").style.display = words; }, display);
+  await stage("none");
+  await pause(1000);
+  await page.evaluate(() => dioptre.module.ccall("web_open", null, ["string"], ["/scenes/lamps.lua"]));
+  await pause(1000);
+  await stage("");
+  await page.waitForFunction(() => document.getElementById("canvas").height > 100, null, { timeout: PATIENCE });
+  const other = await settled(page);
+  check(await isFilled(page) && other !== before && problems.length === 0, `a picture that had no room is drawn once it has${problems.map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
 module.exports = async (browser) => {
   const { server, url } = await serve(true);
+  await testNoRoom(browser, `${url}index.html`);
+  await testNoRoom(browser, `${url}index.html?one-thread`);
   for (const language of ["en", "fr"]) {
     const firefox = await launchFirefox(language);
     for (const [size, options] of Object.entries(SIZES)) {

@@ -26,7 +26,7 @@ summary() {
 cat >"$BUILD/needs.md" <<'END'
 # What scenes need
 
-`make charts` writes this page: each scene 320 pixels wide, one ray a pixel.
+`make charts` writes this page: each scene 320 pixels wide, one ray per pixel.
 
 *Forecast*: the engine that `--engine auto` takes by the scene's numbers alone, and by how many 8-bit steps float
 may be off. *Needed*: what `dioptre needs` finds. *Checked against*: the engine and the size of the picture that all

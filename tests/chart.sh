@@ -43,7 +43,7 @@ small='-s 192x144 --samples 2'
     holds "$work/out" 'off by 64 steps or more' 'the error is the one asked for'
     holds "$work/out" '^samples +(4|16)$' 'more rays are proposed where they are enough'
     expect 0 '' 'the best picture within a time' "$dioptre" needs scenes/box.lua -s 96x72 --budget 10000
-    holds "$work/out" '^samples +(8|12|16|24|32|48|64)$' 'it has many rays a pixel'
+    holds "$work/out" '^samples +(8|12|16|24|32|48|64)$' 'it has many rays per pixel'
     holds "$work/out" '^error +[0-9].*root mean square' 'its error is said'
     expect 0 '' 'a time that nothing meets' "$dioptre" needs scenes/box.lua -s 96x72 --budget 0.0001
     holds "$work/out" 'No settings draw this picture within 0.0001 ms: these are the fastest' 'it says so'

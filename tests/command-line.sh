@@ -137,7 +137,7 @@ expect 0 '' 'bench json' "$dioptre" bench "$box" --json -s 80x60 --frames 3 --sa
 holds "$work/out" '^\{"scene": "scenes/box.lua", "engine": "[a-z0-9]+", "threads": [0-9]+, "width": 80, "height": 60, "frames": 3, "ms_min": [0-9.e-]+, "ms_median": [0-9.e-]+, "rays": [0-9]+, "mrays_per_s": [0-9.e+]+, "samples_per_pixel": [0-9.]+\}$' 'bench json has its names'
 for rays in primary random; do
     expect 0 '' "bench --rays $rays" "$dioptre" bench "$box" --json -s 80x60 --frames 2 --rays $rays
-    holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray a pixel"
+    holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray per pixel"
 done
 expect 0 '"progress"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
 expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60

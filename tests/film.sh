@@ -76,7 +76,7 @@ export LC_ALL=C
 for ending in mp4 webm; do
     expect 0 '' "a film, $ending" film --seconds 1 -j 1 -o "a.$ending"
     [ "$(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,height,avg_frame_rate,nb_read_frames,pix_fmt -of csv=p=0 "a.$ending")" = 64,36,yuv420p,25/1,25 ] &&
-        ok "25 frames a second, one second, $ending" || fail "$(ffprobe "a.$ending" 2>&1)"
+        ok "25 frames per second, one second, $ending" || fail "$(ffprobe "a.$ending" 2>&1)"
     expect 0 '' "again, by two threads, $ending" film --seconds 1 -j 2 -o "b.$ending"
     same "a.$ending" "b.$ending" "the same film, byte for byte, $ending"
 done

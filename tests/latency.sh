@@ -2,18 +2,35 @@
 # How fast the window is, in its own words (--timing): from exec to the first picture, and from a key
 # or a drag to the first picture of it, with the toolbar open.
 #
-# Environment: LAYERS (keys of further layers with the toolbar open; none). LAYERS='2 3 4 5 6 7 8 9 0 y' are
-# all: of those, y (rounding) meets the bar in one try of three.
+# Environment: LAYERS (keys of further layers with the toolbar open; none). LAYERS='2 3 4 5 6 7 8 9 0 y' are all.
 . "$(dirname "$0")/check.sh"
 . tests/screen.sh
 box=$root/scenes/box.lua
 with_bar=yes
+
+# What other programs may take of a core while a time is measured, per cent: about what a desktop at rest
+# takes. More can hold a picture up by any number of milliseconds.
+OTHERS_MAXIMUM=10
+
+# ticks: sets busy, the processor time of all programs so far, and own, that of this test: its children once
+# they are waited for, and the X server. Hundredths of a second.
+ticks() {
+    local cpu stat
+    read -ra cpu </proc/stat # cpu user nice system idle iowait irq softirq steal
+    busy=$((cpu[1] + cpu[2] + cpu[3] + cpu[6] + cpu[7] + cpu[8]))
+    read -ra stat </proc/$$/stat
+    own=$((stat[13] + stat[14] + stat[15] + stat[16]))
+    read -ra stat </proc/$server/stat
+    own=$((own + stat[13] + stat[14]))
+}
 
 # The limits are for an optimised build on a machine that has nothing else to do, where the box takes 15 ms.
 # limit CONDITION NAME WORDS: judges a time only there, and says it anywhere.
 limit() {
     if awk "BEGIN { exit !($1) }"; then
         ok "$2"
+    elif [ "$others" -gt $OTHERS_MAXIMUM ]; then
+        echo "skipped: $2, as other programs took $others % of a core: $3"
     elif "$dioptre" bench "$box" -s 800x600 --samples 1 -j 2 --frames 20 --json |
         awk 'match($0, /"ms_median": [0-9.e+]+/) { ms = substr($0, RSTART + 13, RLENGTH - 13) } END { exit !(ms > 45) }'; then
         echo "skipped: $2, as this build or machine is too slow just now: $3"
@@ -40,6 +57,7 @@ measure() {
     xdotool key "$1"
     shown 'pass 1 px'
     for ((i = 0; i < $2; i++)); do xdotool key --delay 1 a && sleep 0.03; done
+    settled
     read_timing "layer $1"
 }
 
@@ -53,18 +71,28 @@ measure_drag() {
         xdotool mousemove --window "$window" $((400 + i)) $((top + 16 + 2 * i)) && sleep 0.03
     done
     xdotool mouseup 1
+    settled
     read_timing drag
 }
 
-# Other programs may be in the way: the best of three tries counts.
+# Other programs may be in the way: the best of three tries counts, and of those that miss, the one that
+# others disturbed least.
 # judge NAME COMMAND...: measures, and judges the median and the worst.
 judge() {
-    local name=$1
+    local name=$1 least=1000000
     shift
     for _ in 1 2 3; do
+        ticks
+        local busy_before=$busy own_before=$own began=${EPOCHREALTIME/[.,]/}
         "$@"
+        ticks
+        local hundredths=$(((${EPOCHREALTIME/[.,]/} - began) / 10000 + 1))
+        others=$((100 * (busy - busy_before - own + own_before) / hundredths))
+        echo "# others: $others % of a core"
+        [ $others -lt $least ] && least=$others
         awk "BEGIN { exit !($median <= 16 && $worst <= 33) }" && break
     done
+    others=$least
     limit "$median <= 16 && $worst <= 33" "$name: at most 16 ms, and 33 at worst" "$median, $worst ms"
 }
 

@@ -58,7 +58,7 @@ holds "$work/rays" "$names, \"weight\": 1, \"color\": $three" 'the camera'"'"'s 
 holds "$work/rays" '"parent": 0, "kind": "mirror", "depth": 1' 'a mirrored ray'
 holds "$work/rays" '"parent": 2, "kind": "shadow", "depth": 2' 'a shadow ray of what it meets'
 holds "$work/rays" '"keyword": "sphere", "line": 35' 'the shape'"'"'s line in the scene file'
-[ "$(grep -c '^{.*}$' "$work/rays")" = "$(wc -l <"$work/rays")" ] && ok 'an object a line' || fail 'an object a line'
+[ "$(grep -c '^{.*}$' "$work/rays")" = "$(wc -l <"$work/rays")" ] && ok 'an object per line' || fail 'an object per line'
 grep -qiE 'inf|nan' "$work/rays" && fail 'numbers that JSON has not' || ok 'only numbers that JSON has'
 "$dioptre" probe - 250 430 --json <$box >"$work/again"
 same "$work/rays" "$work/again" 'a scene from standard input'

@@ -74,7 +74,7 @@ for scene in scenes/*.lua; do
     holds README.md "^\|.*\`${scene##*/}\`" "README names $scene"
 done
 
-# Every scene is in the gallery, in its own words, and is what the gallery shows. One ray a pixel gives
+# Every scene is in the gallery, in its own words, and is what the gallery shows. One ray per pixel gives
 # rough edges and hard shadows; 40 wide, 34 decibels are left in the worst scene. A sun of another colour
 # leaves 31. Lights as large as walls want soft shadows before they look alike.
 doc/gallery.sh --page >"$work/gallery.md"

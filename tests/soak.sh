@@ -61,7 +61,7 @@ least() { sort -n | head -1; }
 
 start_server
 open "$root/${SOAK_SCENE:-scenes/box.lua}" -s 320x200
-end=$((SECONDS + SOAK_SECONDS)) pause=$(((SOAK_SECONDS + 11) / 12)) count=0
+end=$((SECONDS + SOAK_SECONDS)) pause=$((SOAK_SECONDS / 24 + 2)) count=0
 next=$((SECONDS + pause))
 while [ $SECONDS -lt $end ] && kill -0 "$pid" 2>/dev/null; do
     disturb
@@ -70,8 +70,9 @@ while [ $SECONDS -lt $end ] && kill -0 "$pid" 2>/dev/null; do
 done
 echo "# $count keys, clicks and sizes; memory, kB: $(tr '\n' ' ' <"$work/memory")"
 if kill -0 "$pid" 2>/dev/null; then ok 'the window is still there'; else fail "the window has ended: $(head -20 "$work/errors")"; fi
-# The first sixth fills caches: glyphs, trees, the largest picture.
-early=$(sed -n '3,6p' "$work/memory" | least) late=$(sed -n '7,$p' "$work/memory" | least)
+# The first tenth fills caches: glyphs, trees, the largest picture.
+half=$(($(wc -l <"$work/memory") / 2))
+early=$(sed -n "3,${half}p" "$work/memory" | least) late=$(sed -n "$((half + 1)),\$p" "$work/memory" | least)
 if [ "$SOAK_SECONDS" -ge 300 ]; then
     awk "BEGIN { exit !($late <= 1.1 * $early + 16384) }" && ok 'its memory does not grow' ||
         fail "its memory grows: from $early to $late kB"

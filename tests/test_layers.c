@@ -233,18 +233,24 @@ typedef struct LayerImage {
     uint8_t *bgrx; /**< The buffer; NULL: the pixels are not needed. */
 } LayerImage;
 
-/** Renders a layer completely. @return Its final statistics. */
-static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer layer,
-                              LayerImage image) {
-    Error error = {0};
+/** Waits until a renderer has nothing more to show. @return The state of the picture. */
+static RenderStats wait_until_finished(Renderer *renderer) {
     RenderStats report = {0};
     const struct timespec pause = {.tv_nsec = 200000};
-    renderer_set_layer(renderer, layer);
-    assert_true(renderer_start(renderer, scene, image.width, image.height, NULL, NULL, &error));
     while (!report.is_finished) {
         renderer_copy_latest(renderer, &report, NULL, 0);
         nanosleep(&pause, NULL);
     }
+    return report;
+}
+
+/** Renders a layer completely. @return Its final statistics. */
+static RenderStats draw_layer(Renderer *renderer, const Scene *scene, Layer layer,
+                              LayerImage image) {
+    Error error = {0};
+    renderer_set_layer(renderer, layer);
+    assert_true(renderer_start(renderer, scene, image.width, image.height, NULL, NULL, &error));
+    RenderStats report = wait_until_finished(renderer);
     renderer_copy_latest(renderer, &report, image.bgrx, 4 * image.width);
     assert_int_equal(report.layer.layer, layer);
     assert_int_equal((int)report.layer.pixel_count, image.width * image.height);
@@ -565,6 +571,54 @@ static void test_marks(void **state) {
     scene_destroy(scene);
 }
 
+/** What a layer shows first. */
+typedef struct FirstPass {
+    Renderer *renderer;               /**< Renders it. */
+    bool is_seen;                     /**< Whether it was shown. */
+    double measured_fraction;         /**< Share of the pixels whose number it knows. */
+    uint8_t bgrx[4 * WIDTH * HEIGHT]; /**< Its colours. */
+} FirstPass;
+
+/** Keeps the first pass. See #RenderPassCallback. @param context #FirstPass */
+static void keep_first_pass(void *context) {
+    FirstPass *first = context;
+    RenderStats report;
+    if (!first->is_seen && renderer_copy_latest(first->renderer, &report, first->bgrx, 4 * WIDTH)) {
+        first->is_seen = true;
+        first->measured_fraction = report.layer.measured_fraction;
+    }
+}
+
+/** Layers that trace more than the picture show the picture first, in grey, so that a key is
+ *  answered as fast as in the picture. */
+static void test_previews(void **state) {
+    (void)state;
+    static FirstPass first;
+    Scene *scene = load_scene(BOX);
+    RenderSettings settings = small_settings(scene, "f32x8", 2);
+    for (Layer layer = LAYER_NORMALS; layer < LAYER_COUNT; layer++) {
+        bool has_preview = layer == LAYER_ERROR || layer == LAYER_ROUNDING;
+        Error error = {0};
+        Renderer *renderer = create_renderer(scene, &settings);
+        first = (FirstPass){.renderer = renderer};
+        renderer_set_layer(renderer, layer);
+        assert_true(
+            renderer_start(renderer, scene, WIDTH, HEIGHT, keep_first_pass, &first, &error));
+        wait_until_finished(renderer);
+        assert_true(first.is_seen);
+        assert_int_equal(first.measured_fraction == 0, has_preview);
+        int brightest = 0;
+        for (size_t i = 0; has_preview && i < WIDTH * HEIGHT; i++) {
+            const uint8_t *pixel = first.bgrx + 4 * i;
+            assert_true(pixel[0] == pixel[1] && pixel[1] == pixel[2]);
+            brightest = pixel[0] > brightest ? pixel[0] : brightest;
+        }
+        assert_true(!has_preview || brightest > ENCODING_CODE_MAXIMUM / 2);
+        renderer_destroy(renderer);
+    }
+    scene_destroy(scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_faults),         cmocka_unit_test(test_errors),
@@ -574,7 +628,7 @@ int main(void) {
         cmocka_unit_test(test_lights),         cmocka_unit_test(test_steps),
         cmocka_unit_test(test_readings),       cmocka_unit_test(test_value_difference),
         cmocka_unit_test(test_marks),          cmocka_unit_test(test_error_scale),
-        cmocka_unit_test(test_tick_positions),
+        cmocka_unit_test(test_tick_positions), cmocka_unit_test(test_previews),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

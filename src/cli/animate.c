@@ -41,7 +41,7 @@ static bool plan_frames(Animation *animation, Error *error) {
     double count = round(seconds * animation->fps);
     if (!(count >= 1 && count <= FRAMES_MAXIMUM)) {
         return error_set(error, STATUS_USAGE,
-                         "%g s at %g frames a second are %g frames, not 1 to %d", seconds,
+                         "%g s at %g frames per second are %g frames, not 1 to %d", seconds,
                          animation->fps, count, FRAMES_MAXIMUM);
     }
     animation->frames = (FrameRange){.first = 0, .last = (int)count - 1, .step = 1};
@@ -52,7 +52,7 @@ static bool plan_frames(Animation *animation, Error *error) {
     int first = options->frames.first, last = options->frames.last;
     if (options->seconds >= 0 && fmax(first, last) >= count) {
         return error_set(error, STATUS_USAGE,
-                         "--frames %d-%d: %g s at %g frames a second end at %g", first, last,
+                         "--frames %d-%d: %g s at %g frames per second end at %g", first, last,
                          seconds, animation->fps, count - 1);
     }
     return true;

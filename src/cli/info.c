@@ -199,7 +199,7 @@ static void write_missing_light(const SceneInfo *info, JsonWriter *json) {
 static void print_picture(const SceneInfo *info) {
     const RenderSettings *settings = &info->settings;
     printf("%d x %d, ", settings->width, settings->height);
-    printf(ngettext("%d ray a pixel\n", "%d rays a pixel\n", (unsigned long)settings->samples),
+    printf(ngettext("%d ray per pixel\n", "%d rays per pixel\n", (unsigned long)settings->samples),
            settings->samples);
 }
 

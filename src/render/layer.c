@@ -283,6 +283,7 @@ static const LayerClass layers[LAYER_COUNT] = {
                         .scale_low = ERROR_SCALE_MINIMUM,
                         .scale_high = ENCODING_CODE_MAXIMUM,
                         .zero_label = N_("no difference"),
+                        .has_preview = true, // Three pictures take three times as long as one.
                         .measure = measure_rounding,
                         .classify = classify_error,
                         .color = color_error},

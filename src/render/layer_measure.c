@@ -139,6 +139,7 @@ void measure_rounding(const RenderPass *pass, const PixelGrid *strip, RayCounts 
     size_t rays = (size_t)strip->columns * (size_t)strip->rows;
     pass->engine->trace(pass->tracer, strip, nearest, counts);
     bool is_known =
+        !pass->range.is_preview &&
         trace_rounded(pass->engine, ROUNDING_UPWARD, pass->tracer, strip, upward, &other_counts) &&
         trace_rounded(pass->engine, ROUNDING_DOWNWARD, pass->tracer, strip, downward,
                       &other_counts);
@@ -146,9 +147,11 @@ void measure_rounding(const RenderPass *pass, const PixelGrid *strip, RayCounts 
         int column = (int)(i % (size_t)strip->columns), row = (int)(i / (size_t)strip->columns);
         double a[3], b[3], c[3];
         read_color(nearest, rays, i, a);
-        read_color(upward, rays, i, b);
-        read_color(downward, rays, i, c);
         float *values = layer_cell_values(pass, strip, column, row);
+        if (is_known) {
+            read_color(upward, rays, i, b);
+            read_color(downward, rays, i, c);
+        }
         values[0] = is_known ? largest_difference(a, b, c) : NAN;
         values[1] = is_known ? 0 : perceived_brightness(pass, a);
     }

@@ -35,7 +35,7 @@ typedef struct LayerClass {
     bool has_missing;         /**< Whether some pixels have no number: NaN. */
     unsigned aov_mask;        /**< The AOVs that it needs. See #AOV_RADIANCE. */
     LayerReference reference; /**< The engine that it is compared with. */
-    bool has_preview;         /**< Whether a pass without the reference comes first. */
+    bool has_preview;         /**< Whether a pass of the picture alone comes first. */
     bool is_timed;            /**< Whether rays are measured in small groups, one by one. */
     int repeats;              /**< Passes at full resolution; 0: one. */
 

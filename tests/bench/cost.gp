@@ -1,4 +1,4 @@
-# gnuplot -c cost.gp CSV SVG WHAT ENGINES MACHINE: ms a picture and Mrays/s against a number, a panel each.
+# gnuplot -c cost.gp CSV SVG WHAT ENGINES MACHINE: ms per picture and Mrays/s against a number, one panel each.
 load "tests/bench/style.gp"
 csv = ARG1; what = ARG3; engines = ARG4
 set output ARG2
@@ -18,7 +18,7 @@ set xtics (10, 100, "1 000" 1000, "10 000" 10000, "100 000" 100000, "1 million" 
 set multiplot layout 1,2 spacing 0.08,0 title sprintf("What %s cost: 800 x 600, one thread, fastest of the turns, bars to the median\n{/*0.8 %s}", what, ARG5)
 
 set logscale y 10
-set ylabel "ms a picture"
+set ylabel "ms per picture"
 set yrange [lowest : highest]
 set ytics (2, 5, 10, 20, 50, 100, 200, 500, 1000)
 set label 1 "in proportion" at fewest * 28, start * 40 left textcolor rgb "#777777"
@@ -29,7 +29,7 @@ plot sample [fewest:most] start * x / fewest with lines dt 3 lc rgb "#777777", \
     for [i = 1:words(engines)] csv using 2:(at_end(word(engines, i), $4)):(word(engines, i)) every ::1 with labels left offset 1, 0.4 * (i - 2) textcolor rgb color[i]
 unset label
 
-set ylabel "million rays a second"
+set ylabel "million rays per second"
 set yrange [1 : 500]
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500)
 plot for [i = 1:words(engines)] csv using 2:(of(word(engines, i), $6 / $4 / 1000)):($6 / $3 / 1000):($6 / $4 / 1000) every ::1 with yerrorlines lc rgb color[i] pt sign[i] ps 0.7 lw 2, \

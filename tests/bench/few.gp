@@ -1,4 +1,4 @@
-# gnuplot -c few.gp CSV SVG WHAT NAMES MACHINE: ms a picture against a small number, a line each name.
+# gnuplot -c few.gp CSV SVG WHAT NAMES MACHINE: ms per picture against a small number, one line per name.
 load "tests/bench/style.gp"
 csv = ARG1; what = ARG3; names = ARG4
 set output ARG2
@@ -15,7 +15,7 @@ set xrange [fewest * 0.9 : most * 1.6]
 set yrange [STATS_min / 1.4 : STATS_max * 1.4]
 set xtics (1, 2, 3, 4, 6, 8, 12, 16, 32, 64)
 set ytics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096)
-set ylabel "ms a picture"
+set ylabel "ms per picture"
 stats csv using (strcol(1) eq word(names, 1) && $2 == fewest ? $4 : NaN) every ::1 nooutput
 start = STATS_min
 set label 1 "in proportion" at most * 1.02, start * most / fewest left textcolor rgb "#777777"

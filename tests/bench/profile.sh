@@ -16,7 +16,7 @@ SIZE=400x300
 ROUNDS=${ROUNDS:-5}
 program=$BUILD/dioptre
 
-# bench SCENE ENGINE FRAMES: one thread, one ray a pixel.
+# bench SCENE ENGINE FRAMES: one thread, one ray per pixel.
 bench() {
     "$program" bench "$1" --json -q -s $SIZE --samples 1 -j 1 --engine "$2" --frames "$3"
 }
@@ -84,7 +84,7 @@ objdump -d --no-show-raw-insn "$program" | grep -E '^ +[0-9a-f]+:' >"$work/code"
     echo '# Where the time goes'
     echo
     echo "\`make bench\` writes this page (\`tests/bench/profile.sh\`). Numbers are per vector of $LANES rays of any kind, camera, shadow"
-    echo "and secondary ones alike; $SIZE, one ray a pixel, one thread, engine \`$ENGINE\`. *Arithmetic* are the instructions that add,"
+    echo "and secondary ones alike; $SIZE, one ray per pixel, one thread, engine \`$ENGINE\`. *Arithmetic* are the instructions that add,"
     echo 'multiply, divide, compare, or take a minimum or a root: the least that these formulas need; all others load, store, select'
     echo 'and decide. Nanoseconds are shares of samples, times the time of a picture; encoding belongs to pictures that are shown or'
     echo 'written, and is not timed. Small functions are counted where they are inlined. Times are of the processor, medians of'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What size, lamps, depth and samples cost, and from how many shapes on a tree pays: CSV in $BUILD/bench,
 # charts in doc. Called by `make bench`. All variants take turns, so that a busy moment of the machine meets all alike; one
-# thread, 800x600, one ray a pixel and its shadow ray.
+# thread, 800x600, one ray per pixel and its shadow ray.
 #
 # Environment: BUILD (folder of the program; build), ROUNDS (turns; 7), ENGINES, MADE_WITH (compiler
 # and flags, for the files).
@@ -103,7 +103,7 @@ for name in spheres triangles; do
 done
 gnuplot -c tests/bench/few.gp "$folder/cost-lights.csv" doc/cost-lights.svg "lamps" "$ENGINES" "$machine"
 gnuplot -c tests/bench/few.gp "$folder/cost-depth.csv" doc/cost-depth.svg "mirrorings of a ray" "$ENGINES" "$machine"
-gnuplot -c tests/bench/few.gp "$folder/cost-samples.csv" doc/cost-samples.svg "samples a pixel" "full adaptive" "$machine"
+gnuplot -c tests/bench/few.gp "$folder/cost-samples.csv" doc/cost-samples.svg "samples per pixel" "full adaptive" "$machine"
 gnuplot -c tests/bench/tree.gp "$folder/tree-pays.csv" doc/tree-pays.svg "$machine"
 
 # Marching: steps, normals, and what is gained by skipping and left out by footprints.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Compares dioptre with Embree 3 on models: how many rays a second each traces with one thread, how
+# Compares dioptre with Embree 3 on models: how many rays per second each traces with one thread, how
 # long it builds, how much memory it takes, and whether the two answer the same. Called by
 # `make peers`; see tests/peers/embree.c.
 #

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Compares dioptre with fragment shaders on scenes that are marched: the same fields in GLSL
-# (tests/peers/shaders), drawn by Mesa's software rasteriser. Says, too, how many frames a second we
+# (tests/peers/shaders), drawn by Mesa's software rasteriser. Says, too, how many frames per second we
 # draw of every scene that is marched. Called by `make peers`; see tests/peers/fragment.c.
 #
 # Both have two threads. The bars are for times of the processor, all threads together, so that what
-# else the machine does hardly matters; frames a second are by the clock, the best of all rounds.
+# else the machine does hardly matters; frames per second are by the clock, the best of all rounds.
 #
 # Environment: BUILD (folder of the program; build), ROUNDS (runs of each; 5), MAPS (a folder: where
 # the pictures are left).
@@ -53,7 +53,7 @@ time_twin() {
     append_difference "$work/long" "$work/short" $FRAMES "$work/$1.mesa"
 }
 
-# rate SCENE WHO: frames a second by the clock.
+# rate SCENE WHO: frames per second by the clock.
 rate() {
     sort -g "$work/$1.$2.clock" | awk 'NR == 1 { printf "%.1f", 1000 / $1 }'
 }
@@ -82,7 +82,7 @@ report_pictures() {
         awk "BEGIN { print 100 * (1 - $ALIKE_BAR) }") % may be" "1 - $off / $pixels >= $ALIKE_BAR"
 }
 
-# report_scene SCENE: frames a second of a scene without a twin.
+# report_scene SCENE: frames per second of a scene without a twin.
 report_scene() {
     for engine in $ENGINES; do
         draw_ours "$1" "$engine" $FRAMES >"$work/log"
@@ -99,7 +99,7 @@ while [ "$round" -le "$ROUNDS" ]; do
     for scene in $TWINS; do time_twin "$scene"; done
     round=$((round + 1))
 done
-printf '\nmarching, 800x600, one ray a pixel, two threads; Mesa: %s\n' "$(cat "$work/mesa")"
+printf '\nmarching, 800x600, one ray per pixel, two threads; Mesa: %s\n' "$(cat "$work/mesa")"
 printf '%-16s %-14s %10s %10s\n' scene "" "cpu ms" "frames/s"
 for scene in $SCENES; do
     case " $TWINS " in

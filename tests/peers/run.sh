@@ -184,7 +184,7 @@ report() {
 
 # report_light NAME SIZE SAMPLES ELSEWHERE-BAR TEXT: only how far the pictures are from each other.
 report_light() {
-    printf '\ntests/peers/%s.lua, %s, %s rays a pixel: %s\n' "$1" "$2" "$3" "$5"
+    printf '\ntests/peers/%s.lua, %s, %s rays per pixel: %s\n' "$1" "$2" "$3" "$5"
     draw_pictures "tests/peers/$1.lua" "$1" 0 "$2" "$3"
     report_difference "$1" "$4"
 }
@@ -200,7 +200,7 @@ sed 's/ior = 1.5/ior = 1/' tests/peers/glass-box.lua >"$work/clear-box.lua"
 measure_speed
 begin_figures speed scene,peer,peer_ms,f32x8_ms,f32x16_ms
 begin_figures pictures scene,pixels,off,off_on_no_edge
-echo "$SIZE, one ray a pixel, one thread; ms of the processor a picture, medians of $ROUNDS runs"
+echo "$SIZE, one ray per pixel, one thread; ms of the processor per picture, medians of $ROUNDS runs"
 report scenes/box.lua box 5 $POVRAY_BAR $ELSEWHERE_BAR "mirrors"
 report_peer box tachyon Tachyon $TACHYON_BAR
 report tests/peers/shapes.lua shapes 5 $SHAPES_BAR $ELSEWHERE_BAR \
@@ -219,6 +219,6 @@ report tests/peers/pictures.lua pictures 5 $PICTURES_BAR $ELSEWHERE_BAR \
 report_light sun "$SIZE" 1 $ELSEWHERE_BAR "parallel light"
 report_light fading "$SIZE" 1 $ELSEWHERE_BAR "lamps that weaken with the square of the distance"
 # A ray to a lamp is met or not, so POV-Ray draws a soft shadow in as many steps as it has lamps, and we
-# in as many as there are rays a pixel.
+# in as many as there are rays per pixel.
 report_light soft 200x150 4096 $SOFT_ELSEWHERE_BAR "the soft shadows of a ball of light"
 exit "$failed"

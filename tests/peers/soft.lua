@@ -1,5 +1,5 @@
 -- The same as soft.pov: the soft shadows that a ball of light throws. Nothing else is in the picture:
--- with many rays a pixel, the outlines of shapes would be smooth, and POV-Ray's are not.
+-- with many rays per pixel, the outlines of shapes would be smooth, and POV-Ray's are not.
 camera { position = {0, 3, 0.6}, look_at = {0, 0, 0}, fov = 46 }
 image { width = 200, height = 150, samples = 4096 }
 ambient { 0.15, 0.15, 0.15 }

@@ -194,7 +194,7 @@ static void append_samples(TextBuffer *text, const Needs *needs) {
         asked = needs->noise[i].samples == samples ? &needs->noise[i] : asked;
     }
     append_format(text,
-                  ngettext(". %d ray a pixel: ", ". %d rays a pixel: ", (unsigned long)samples),
+                  ngettext(". %d ray per pixel: ", ". %d rays per pixel: ", (unsigned long)samples),
                   samples);
     append_format(text, "four times as many change %zu of %zu pixels, by up to %.2g steps",
                   asked->trial.off, asked->trial.pixels, asked->trial.max_steps);

@@ -38,7 +38,21 @@ const check = (isRight, words) => {
   result.failures += isRight ? 0 : 1;
 };
 
+/** Where screenshots are left, to be looked at. */
+const SCREENS = "build/web-work/screens";
+/** Leaves a screenshot. */
+const screenshot = (page, name) => {
+  fs.mkdirSync(SCREENS, { recursive: true });
+  return page.screenshot({ path: `${SCREENS}/${name}.png` });
+};
+
 const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+/** A browser that takes a name for a stranger's host: what it serves over plain http has neither threads nor the clipboard. */
+const SCHOOL = "school.test";
+const launchAtSchool = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", `--host-resolver-rules=MAP ${SCHOOL} 127.0.0.1`] });
+/** Puppeteer drives Firefox, by WebDriver BiDi: Playwright needs a Firefox of its own. */
+const launchFirefox = (language) => require(process.env.NODE_MODULES + "/puppeteer-core").launch({ browser: "firefox",
+  executablePath: process.env.FIREFOX, headless: true, extraPrefsFirefox: { "intl.accept_languages": language } });
 
 /** @return A hash of the pixels of the window. */
 const pixels = (page) => page.evaluate(async () => {
@@ -75,6 +89,36 @@ const openPage = async (browser, url, problems, options) => {
   return page;
 };
 
+/** Opens the page in Firefox. @param viewport { width, height, deviceScaleFactor } */
+const openInFirefox = async (firefox, url, problems, viewport) => {
+  const page = await firefox.newPage();
+  page.on("pageerror", (error) => problems.push(error.message));
+  await page.setViewport(viewport);
+  await page.goto(url);
+  await until(page, () => window.dioptre && window.dioptre.editor.text() !== "");
+  return page;
+};
+/** Waits in any browser until a function of the page gives something. @return That. */
+const until = async (page, question, ...words) => {
+  const end = Date.now() + PATIENCE;
+  let answer = await page.evaluate(question, ...words);
+  while (!answer && Date.now() < end) {
+    await pause(50);
+    answer = await page.evaluate(question, ...words);
+  }
+  if (!answer) {
+    throw new Error(`not within ${PATIENCE} ms: ${question} ${words}`);
+  }
+  return answer;
+};
+
+/** Drops files on the page. @param files [[name, text]] */
+const drop = (page, files) => page.evaluate((all) => {
+  const data = new DataTransfer();
+  all.forEach(([name, text]) => data.items.add(new File([text], name)));
+  document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+}, files);
+
 const editorText = (page) => page.evaluate(() => dioptre.editor.text());
 const editText = (page, text) => page.evaluate((words) => dioptre.editor.replace(words), text);
 const errorText = async (page) => (await page.textContent("#errors")).trim();
@@ -84,4 +128,5 @@ const waitError = async (page, pattern) => {
   return errorText(page);
 };
 
-module.exports = { PATIENCE, ROOT, check, editText, editorText, errorText, launch, openPage, pause, pixels, ready, result, serve, settled, waitError };
+module.exports = { PATIENCE, ROOT, SCHOOL, check, drop, editText, editorText, errorText, launch, launchAtSchool, launchFirefox, openInFirefox, openPage,
+  pause, pixels, ready, result, screenshot, serve, settled, until, waitError };

@@ -1,18 +1,13 @@
 // The page in Firefox, with threads and without: it draws the same pixels as Chromium, its keys work, an error is shown at its line.
-// Puppeteer drives it, by WebDriver BiDi: Playwright needs a Firefox of its own.
 "use strict";
 
-const { PATIENCE, check, openPage, pause, serve, settled } = require("./browser.js");
+const { check, launchFirefox, openInFirefox, openPage, pause, serve, settled, until } = require("./browser.js");
 
 const SIZE = { width: 1000, height: 700 };
 
 const testFirefox = async (firefox, url, mode, expected) => {
-  const page = await firefox.newPage();
   const problems = [];
-  page.on("pageerror", (error) => problems.push(error.message));
-  await page.setViewport(SIZE);
-  await page.goto(url);
-  await page.waitForFunction(() => window.dioptre && window.dioptre.editor.text() !== "", { timeout: PATIENCE });
+  const page = await openInFirefox(firefox, url, problems, SIZE);
   const said = await page.$eval("#mode", (element) => element.textContent);
   check(said.includes(mode), `Firefox says how it runs: ${said}`);
   const picture = await settled(page);
@@ -23,21 +18,19 @@ const testFirefox = async (firefox, url, mode, expected) => {
   await page.keyboard.up("ArrowLeft");
   check(await settled(page) !== picture, "an arrow key moves the light");
   await page.evaluate(() => dioptre.editor.replace(dioptre.editor.text().replace("camera", "camra")));
-  await page.waitForFunction(() => /:\d+: /.test(document.getElementById("errors").textContent), { timeout: PATIENCE });
+  await until(page, () => /:\d+: /.test(document.getElementById("errors").textContent));
   check(true, "a mistake is said with its line");
   check(problems.length === 0, `no script fails${problems.map((problem) => ": " + problem)}`);
   await page.close();
 };
 
 module.exports = async (chromium) => {
-  const puppeteer = require(process.env.NODE_MODULES + "/puppeteer-core");
   const { server, url } = await serve(true);
   // The bar on the picture has the same text at the same place: letters are the program's own.
   const reference = await openPage(chromium, `${url}index.html`, [], { viewport: SIZE });
   const expected = await settled(reference);
   await reference.context().close();
-  const firefox = await puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX, headless: true,
-    extraPrefsFirefox: { "intl.accept_languages": "en-US" } });
+  const firefox = await launchFirefox("en-US");
   await testFirefox(firefox, `${url}index.html`, "threads", expected);
   await testFirefox(firefox, `${url}index.html?one-thread`, "one thread", expected);
   await testFirefox(firefox, `file://${process.cwd()}/build/web/dioptre.html`, "one thread", expected);

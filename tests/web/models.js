@@ -2,7 +2,7 @@
 // that is dropped on the page is shown.
 "use strict";
 
-const { PATIENCE, check, openPage, serve, waitError } = require("./browser.js");
+const { PATIENCE, check, drop, openPage, serve, waitError } = require("./browser.js");
 const { openEmpty, runCommand } = require("./command.js");
 const { execFileSync } = require("child_process");
 const fs = require("fs");
@@ -75,15 +75,10 @@ const compare = async (browser, url, program, folder) => {
 const testDrop = async (browser, url) => {
   const problems = [];
   const page = await openPage(browser, url, problems);
-  const drop = (files) => page.evaluate((all) => {
-    const data = new DataTransfer();
-    all.forEach(([name, text]) => data.items.add(new File([text], name)));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-  }, files);
-  await drop([["dropped.lua", scene("waves.ply")], ["waves.ply", ply()]]);
+  await drop(page, [["dropped.lua", scene("waves.ply")], ["waves.ply", ply()]]);
   await page.waitForFunction(() => /1 mesh.*middle is: mesh/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
   check(await page.textContent("#errors") === "", "a model that is dropped with its scene is shown");
-  await drop([["broken.lua", scene("none.glb")], ["none.glb", "no glb at all"]]);
+  await drop(page, [["broken.lua", scene("none.glb")], ["none.glb", "no glb at all"]]);
   check(true, `a broken one is said: ${await waitError(page, /none\.glb/)}`);
   check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
   await page.context().close();

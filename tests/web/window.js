@@ -1,7 +1,7 @@
 // The window in the page: keys, editing, errors, hostile scenes, completion, snapshots.
 "use strict";
 
-const { PATIENCE, check, editText, editorText, openPage, pause, pixels, serve, settled, waitError } = require("./browser.js");
+const { PATIENCE, SCHOOL, check, editText, editorText, launchAtSchool, openPage, pause, pixels, serve, settled, waitError } = require("./browser.js");
 const fs = require("fs");
 
 const testKeys = async (page) => {
@@ -138,17 +138,14 @@ const testPlainHost = async (browser) => {
 /** Where no shared memory is: a server without https, which is no localhost, and a file. */
 const testOneThread = async () => {
   const { server, port } = await serve(false);
-  // A browser of its own, which takes a name for a stranger's host.
-  const { chromium } = require(process.env.NODE_MODULES + "/playwright-core");
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM,
-    args: ["--no-sandbox", "--host-resolver-rules=MAP school.test 127.0.0.1"] });
+  const browser = await launchAtSchool();
   console.log("a school's plain http server:");
-  await testWindow(browser, `http://school.test:${port}/index.html`, "one thread");
+  await testWindow(browser, `http://${SCHOOL}:${port}/index.html`, "one thread");
   console.log("one file, by double click:");
   await testWindow(browser, `file://${process.cwd()}/build/web/dioptre.html`, "one thread");
   console.log("the same file from the server:");
   const problems = [];
-  const page = await openPage(browser, `http://school.test:${port}/dioptre.html`, problems);
+  const page = await openPage(browser, `http://${SCHOOL}:${port}/dioptre.html`, problems);
   check(await pixels(page) !== 0 && problems.length === 0, "it runs, and its console is silent");
   await browser.close();
   server.close();

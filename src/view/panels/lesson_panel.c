@@ -90,13 +90,17 @@ static bool is_asked_again(const LessonPanel *panel) {
     return lesson_first_asked(lesson, question) < question;
 }
 
+const char *lesson_panel_state(const LessonPanel *panel) {
+    return gettext(is_asked_again(panel)      ? N_("Once more: what do you predict now?")
+                   : panel->is_asking         ? N_("What do you predict?")
+                   : panel->is_waiting        ? N_("go on (Space)")
+                   : panel->is_before_verdict ? N_("the answer (Space)")
+                                              : N_("hold (Space)"));
+}
+
 /** Shows what the lesson waits for. */
 static void show_state(LessonPanel *panel) {
-    const char *label = gettext(is_asked_again(panel) ? N_("Once more: what do you predict now?")
-                                : panel->is_asking    ? N_("What do you predict?")
-                                : panel->is_waiting   ? N_("go on (Space)")
-                                : panel->is_before_verdict ? N_("the answer (Space)")
-                                                           : N_("hold (Space)"));
+    const char *label = lesson_panel_state(panel);
     gui_same_line(label);
     if (panel->is_asking) {
         gui_heading(label);
@@ -151,6 +155,12 @@ static void show_answers(LessonPanel *panel, const LessonQuestion *question, int
     }
 }
 
+const char *lesson_panel_verdict(const LessonQuestion *question, int answer) {
+    return answer == 0                     ? ""
+           : answer == question->right + 1 ? gettext("Right.")
+                                           : gettext("Not what you predicted.");
+}
+
 /** Shows a question, or what is right and why. */
 static void show_question(LessonPanel *panel, const LessonStep *step) {
     const LessonQuestion *question = &panel->lesson->questions[step->action];
@@ -159,9 +169,7 @@ static void show_question(LessonPanel *panel, const LessonStep *step) {
     if (step->kind == LESSON_ASK) {
         gui_paragraph(localized(&question->text), GUI_COLOR_TEXT, 1);
     } else {
-        const char *verdict = answer == 0                     ? ""
-                              : answer == question->right + 1 ? gettext("Right.")
-                                                              : gettext("Not what you predicted.");
+        const char *verdict = lesson_panel_verdict(question, answer);
         gui_paragraph(localized(&question->text), GUI_COLOR_FAINT, 1);
         snprintf(line, sizeof line, "%s%s%s", verdict, *verdict ? " " : "",
                  localized(&question->because));
@@ -215,15 +223,22 @@ static void show_answered(const LessonPanel *panel, size_t first, size_t last) {
     }
 }
 
-/** Shows how many predictions were right, and each question with its answers. */
-static void show_score(const LessonPanel *panel) {
-    char line[LINE_SIZE];
+void lesson_panel_write_score(const LessonPanel *panel, char *line, size_t size) {
     int asked = 0, right = lesson_panel_score(panel->lesson, panel->answers, &asked);
+    line[0] = '\0';
     if (asked > 0) {
-        snprintf(line, sizeof line,
+        snprintf(line, size,
                  ngettext("%d of %d prediction right", "%d of %d predictions right",
                           (unsigned long)asked),
                  right, asked);
+    }
+}
+
+/** Shows how many predictions were right, and each question with its answers. */
+static void show_score(const LessonPanel *panel) {
+    char line[LINE_SIZE];
+    lesson_panel_write_score(panel, line, sizeof line);
+    if (line[0] != '\0') {
         gui_heading(line);
     }
     for (size_t i = 0; i < panel->lesson->question_count; i++) {

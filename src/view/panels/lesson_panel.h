@@ -53,6 +53,16 @@ size_t lesson_panel_number(const Lesson *lesson, size_t end);
 /** Counts the answers that are right. @param[out] asked Number of answered questions. */
 int lesson_panel_score(const Lesson *lesson, const int *answers, int *asked);
 
+/** @return What the lesson waits for, in the chosen language. */
+const char *lesson_panel_state(const LessonPanel *panel);
+
+/** @return Whether an answer was right, in the chosen language; empty: none was given. @param
+ * answer The choice, from 1; 0: none. */
+const char *lesson_panel_verdict(const LessonQuestion *question, int answer);
+
+/** Writes how many predictions were right; nothing if none was asked for. */
+void lesson_panel_write_score(const LessonPanel *panel, char *line, size_t size);
+
 /** Shows the panel in a rectangle of the window, screen units. */
 void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect);
 

@@ -96,7 +96,7 @@ export const createEditor = (host, label, words, onChange) => {
     lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), indentUnit.of("  "), indentOnInput(),
     bracketMatching(), closeBrackets(), autocompletion({ override: [completeFrom(words)] }), highlightActiveLine(),
     highlightSelectionMatches(), lintGutter(), StreamLanguage.define(lua), syntaxHighlighting(colours), theme,
-    EditorState.phrases.of(editorPhrases), EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
+    EditorState.phrases.of(editorPhrases), EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", tabindex: "0" }),
     keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap,
       indentWithTab]),
     EditorView.updateListener.of((update) => update.docChanged && !isSetting && onChange()),

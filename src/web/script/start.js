@@ -1,13 +1,14 @@
 // Starts the page: loads the program, and ties the scene's text to its window.
 import { describe } from "./description.js";
 import { readFile, isOneFile } from "./files.js";
+import { listenToKeys } from "./keys.js";
 import { pack, unpack } from "./link.js";
 import { createPanel } from "./panel.js";
 import { chooseMode, loadProgram, loadScript, startProgram } from "./program.js";
 import { isFrench, say, translate } from "./words.js";
 
 const SCENES = "/scenes/";
-/** Where snapshots and lessons go that the program writes. */
+/** Where snapshots, lessons and copies of scenes go that the program writes. */
 const HOME = "/home/web_user";
 /** Where the program finds the one that reads models other than OBJ, and what that reads. */
 const READER = "/dioptre/models.wasm", READ_BY_READER = /\.(ply|stl|glb|gltf)$/i;
@@ -21,7 +22,7 @@ const FIT_TRIES = 20, FIT_DELAY = 100;
 const SCREEN_DELAY = 50;
 const $ = (id) => document.getElementById(id);
 
-/** `shown` is the file whose text the editor has, `drawn` the one that the window shows: another while the scene of a link is faulty. */
+/** `shown` is the file whose text the editor has, `drawn` the one that the window shows: another while a scene is faulty. */
 let module = null, editor = null, shown = "", drawn = "", opened = null, faulty = null;
 /** Kept once a picture can be seen: nothing that comes later shall delay it. */
 let tellPicture = null;
@@ -44,12 +45,33 @@ const clearErrors = () => {
   editor?.setErrors([]);
 };
 
+const addScene = (name, list = $("scenes")) => list.append(new Option(name.split("/").pop().replace(/\.lua$/, ""), name));
+/** The list shows the scene whose text the editor has. */
+const showName = () => {
+  const name = shown.slice(SCENES.length);
+  if (![...$("scenes").options].some((option) => option.value === name)) {
+    addScene(name);
+  }
+  $("scenes").value = name;
+};
+
+/** Until the text is drawn that was typed; 0: it is. */
+let editTimer = 0;
 /** When the file of the scene was written whose text the editor has, milliseconds. */
 let textTime = 0;
 const fileTime = () => module.FS.stat(shown).mtime.getTime();
 const showText = () => {
   editor?.setText(module.FS.readFile(shown, { encoding: "utf8" }));
   textTime = fileTime();
+};
+/** Shows the text of a file, unless the editor has it with changes that are not yet written. */
+const showFile = (path) => {
+  clearErrors();
+  if (path !== shown || editTimer === 0) {
+    shown = path;
+    showText();
+  }
+  showName();
 };
 
 /** Opens a file in the window. */
@@ -59,14 +81,7 @@ const openFile = (path) => module.ccall("web_open", null, ["string"], [path]);
 const showScene = (path) => {
   setMessage("");
   drawn = path;
-  shown = faulty ?? path;
-  showText();
-  clearErrors();
-  const name = shown.slice(SCENES.length);
-  if (![...$("scenes").options].some((option) => option.value === name)) {
-    $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
-  }
-  $("scenes").value = name;
+  showFile(faulty ?? path);
   if (faulty) {
     faulty = null;
     openFile(shown); // The program says what is wrong.
@@ -87,13 +102,17 @@ const applyText = () => {
     openFile(shown);
   }
 };
-let editTimer = 0;
-const onEdit = () => {
-  clearTimeout(editTimer);
-  editTimer = setTimeout(() => {
+/** What was typed is drawn at once: another scene or a command follows. */
+const endEdit = () => {
+  if (editTimer !== 0) {
+    clearTimeout(editTimer);
     editTimer = 0;
     applyText();
-  }, EDIT_DELAY);
+  }
+};
+const onEdit = () => {
+  clearTimeout(editTimer);
+  editTimer = setTimeout(endEdit, EDIT_DELAY);
 };
 /** The window writes changed objects into the scene's file: the editor shows them, unless it has changes of its own. */
 const takeText = () => {
@@ -115,6 +134,7 @@ const onError = (line) => {
 
 /** Opens a scene in the window. */
 const openScene = (name) => {
+  endEdit();
   openFile(SCENES + name);
   $("canvas").focus();
 };
@@ -128,7 +148,7 @@ const offerDownload = (name, bytes) => {
 };
 /** Offers files that the program has written, such as snapshots, as downloads. */
 const offerFiles = () => {
-  for (const name of module.FS.readdir(HOME).filter((each) => /\.(bmp|png|csv)$/.test(each))) {
+  for (const name of module.FS.readdir(HOME).filter((each) => /\.(bmp|png|csv|lua)$/.test(each))) {
     offerDownload(name, module.FS.readFile(HOME + "/" + name));
     module.FS.unlink(HOME + "/" + name);
   }
@@ -226,21 +246,17 @@ const fitCanvas = () => {
 const listen = () => {
   fitCanvas();
   $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
-  $("scenes").addEventListener("change", () => openScene($("scenes").value));
+  $("scenes").addEventListener("change", () => {
+    const name = $("scenes").value;
+    showName(); // Until it is opened: a lesson that plays keeps to its scene.
+    openScene(name);
+  });
   $("share").addEventListener("click", () => module._web_ask_state());
   $("hide").addEventListener("click", () => toggle("hide", "editor"));
   $("commands").addEventListener("click", () => toggle("commands", "panel"));
   const canvas = $("canvas");
   canvas.addEventListener("pointerdown", () => canvas.focus());
-  // The window's keys; those with Ctrl, Alt or the system's key stay the browser's, but for those that change and save objects.
-  canvas.addEventListener("keydown", (event) => {
-    const isPlain = !event.ctrlKey && !event.altKey && !event.metaKey && event.key !== "Tab" && event.key !== "F5";
-    // A key that writes a letter must come to its keypress, which the window's fields take it from.
-    if ((isPlain && event.key.length > 1) || (event.ctrlKey && !event.altKey && /^[cszy]$/i.test(event.key))) {
-      event.preventDefault();
-    }
-  });
-  canvas.addEventListener("keypress", (event) => event.preventDefault());
+  listenToKeys(canvas, () => editor && offerDownload(shown.split("/").pop(), editor.text()));
   // The window sleeps until it is woken, see src/web/waits.h.
   for (const type of ["keydown", "keyup", "mousemove", "mousedown", "mouseup", "mouseenter", "mouseleave", "wheel", "touchstart", "touchmove",
     "touchend", "touchcancel", "focus", "blur", "resize", "visibilitychange"]) {
@@ -263,7 +279,11 @@ const afterPicture = async (later) => {
   editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
   module._free(pointer);
   showText();
-  createPanel({ scene: () => shown, files: commandFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
+  const currentScene = () => {
+    endEdit();
+    return shown;
+  };
+  createPanel({ scene: currentScene, files: commandFiles, later: () => Promise.all(later.map(fetchFile)), offerDownload });
   self.dioptre = { editor, module };
   for (const name of later) {
     await fetchFile(name);
@@ -301,6 +321,7 @@ const showMode = (mode) => {
 const start = async () => {
   translate();
   $("canvas").setAttribute("aria-label", say("The picture of the scene"));
+  $("panel").setAttribute("aria-label", $("commands").textContent);
   document.body.classList.toggle("embed", new URLSearchParams(location.search).has("embed"));
   setMessage(say("Loading …"));
   const mode = await chooseMode();
@@ -316,9 +337,10 @@ const start = async () => {
   const files = JSON.parse(new TextDecoder().decode(await readFile("files.json")));
   let refusal = "";
   opened = location.hash.length > 1 ? await unpack(location.hash.slice(1)).catch((error) => { refusal = error.message; return null; }) : null;
-  for (const name of files.scenes) {
-    $("scenes").add(new Option(name.replace(/\.lua$/, ""), name));
-  }
+  files.scenes.forEach((name) => addScene(name));
+  const lessons = $("scenes").appendChild(document.createElement("optgroup"));
+  lessons.label = say("Lessons");
+  files.lessons.forEach((name) => addScene(name, lessons));
   const launch = (scene) => startProgram(parts, {
     canvas: $("canvas"),
     arguments: ["view", SCENES + scene + ".lua"],
@@ -332,10 +354,12 @@ const start = async () => {
         refusal = "";
       }
     },
+    onFaulty: (path) => module.FS.analyzePath(path).exists && showFile(path), // To be mended; its error follows.
+    onLesson: (words) => { $("lesson").textContent = words; },
     onPicture: () => setTimeout(tellPicture, SCREEN_DELAY),
     onState: copyLink,
     onCopy: copyText,
-    onDescription: (facts) => $("canvas").setAttribute("aria-label", describe($("scenes").value.replace(/\.lua$/, ""), JSON.parse(facts))),
+    onDescription: (facts) => $("canvas").setAttribute("aria-label", describe(drawn.slice(SCENES.length).replace(/\.lua$/, ""), JSON.parse(facts))),
     onStateRead: (isRight) => isRight || showError(say("The link is damaged: its view is left out.")),
     onAbort: () => setMessage(say("The program has failed. Reload the page to start it again.")),
     onExit: () => {

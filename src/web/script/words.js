@@ -16,6 +16,7 @@ const FRENCH = {
   "in its middle is: %s": "en son milieu\u00a0: %s",
   "its middle is sky": "en son milieu, le ciel",
   "it shows the layer %s": "elle montre la couche %s",
+  "Lessons": "Leçons",
   "Loading …": "Chargement…",
   "The link is in the clipboard: it carries scene, view, layer and settings.":
     "Le lien est dans le presse-papiers\u00a0: il porte la scène, la vue, le calque et les réglages.",

@@ -167,7 +167,7 @@ static void draw_missing_light(const RayDrawing *drawing, size_t index) {
     }
     beyond.origin = vec3d_add(beyond.origin, vec3d_scale(beyond.direction, beyond.distance));
     beyond.limit -= beyond.distance;
-    beyond.distance = INFINITY;
+    beyond.distance = HUGE_VAL;
     if (project_clipped(drawing, &beyond, &line)) {
         const RayStyle dots = {ray_style(&drawing->tree->nodes[index])->color, 1, 3, NULL};
         draw_line(drawing, &line, &dots, line_thickness(drawing), BORDER_ALPHA / 2);

@@ -90,8 +90,8 @@ static bool is_near(GuiPoint point, const GuiRect *rect, float reach) {
            point.y >= rect->y - reach && point.y < rect->y + rect->height + reach;
 }
 
-/** Finds where the readout lies: at the lower edge; at the upper one while the pixel is where it
- *  would lie, unless that is the picture's edge on neither side, or a caption lies there. */
+/** Finds where the readout lies: at the lower edge of its area. It lies at the upper edge while the
+ *  pixel is near the lower one, if it would cover the picture there and no caption is open. */
 static void place_readout(Window *window) {
     Readout *readout = &window->readout;
     const PixelPosition pixel = {readout->pixel.x, readout->pixel.y};

@@ -86,6 +86,23 @@ settled
 shown 'normals' && ok 'Esc closes the list, not the layer' || fail "the title says $(title)"
 xdotool key Escape
 expect_shown 'pass 1 px.*finished' 'Esc again: the light'
+# The entry chosen lay over the button of the costs, whose tooltip would come below the bar.
+# below_bar NAME: what is seen there.
+below_bar() { import -window "$window" -crop "800x60+0+$((tall - 598))" "$work/$1.ppm"; }
+xdotool mousemove --window "$window" 250 24 click 1
+settled
+xdotool mousemove --window "$window" 250 94 click 1
+shown 'normals.*finished'
+sleep 1 && settled && below_bar chosen
+xdotool mousemove --window "$window" 400 500 && sleep 1 && settled && below_bar away
+cmp -s "$work/chosen.ppm" "$work/away.ppm" && ok 'the button under an entry that was chosen keeps its tooltip to itself' ||
+    fail 'a tooltip lies below the bar after a choice'
+xdotool mousemove --window "$window" 256 98 && sleep 0.2 && below_bar soon
+cmp -s "$work/soon.ppm" "$work/away.ppm" && ok 'a tooltip waits until the mouse rests' || fail 'it comes at once'
+has_tooltip() { below_bar rest && ! cmp -s "$work/rest.ppm" "$work/away.ppm"; }
+within has_tooltip && ok 'then it comes by itself' || fail 'no tooltip comes'
+xdotool mousemove --window "$window" 400 500 key Escape
+expect_shown 'pass 1 px.*finished' 'Esc: the light once more'
 # The list of scenes is opened and closed by its button, and closed by its own in the upper right corner.
 xdotool mousemove --window "$window" 400 500
 quiet

@@ -118,6 +118,16 @@ tail -1 "$work/log" | grep -qE '^sphere \{ radius = 1.203, material = material \
 xdotool key ctrl+z && sleep 0.3 && xdotool key ctrl+z && sleep 0.3
 xdotool key ctrl+c && sleep 0.5
 tail -1 "$work/log" | grep -q '^sphere { radius = 1.203, material = material { color = {1, 0, 0} } }' && ok 'each is one change' || fail "$(tail -1 "$work/log")"
+# Above red, green and blue are value, saturation and, first, the hue: 120 degrees are green.
+xdotool key F10 && settled
+for key in Down Down Down Down Down Down Down Down Right Return Up Up Up; do xdotool key $key && sleep 0.2; done
+xdotool key Return && sleep 0.3 && xdotool key ctrl+a && sleep 0.2 && xdotool type 120 && sleep 0.3 && xdotool key Return && sleep 0.3
+for key in Down space Left Left space Down Down Down Down Down Return; do xdotool key $key && sleep 0.2; done
+settled && xdotool key Escape && settled
+xdotool key ctrl+c && sleep 0.5
+tail -1 "$work/log" | grep -qE '^sphere \{ radius = 1.203, material = material \{ color = \{(0\.0[0-9]*), 1, \1\} \} \}' &&
+    ok 'hue and saturation by keys alone: a pale green' || fail "$(tail -1 "$work/log")"
+xdotool key ctrl+z && sleep 0.3 && xdotool key ctrl+z && sleep 0.3
 xdotool key ctrl+z
 # is_undone: whether the value of before is back.
 is_undone() { xdotool key ctrl+c && sleep 0.3 && tail -1 "$work/log" | grep -q '^sphere { radius = 0.5, '; }

@@ -112,7 +112,8 @@ static void test_settings(void **state) {
     assert_true(app->exit.is_requested);
 }
 
-/** A question goes when nothing would be lost any more, and when its time is over. */
+/** A question stays until it is answered; it goes when nothing would be lost any more, and when the
+ *  user does something else. */
 static void test_question_of_changes(void **state) {
     (void)state;
     App *app = &opened.app;
@@ -126,7 +127,10 @@ static void test_question_of_changes(void **state) {
     assert_true(settle());
     change_sphere();
     run("quit");
-    app->exit.confirmation_end = clock_now_seconds();
+    frame();
+    assert_status("objects were changed");
+    assert_true(isinf(app->window.toast.end_time)); // On the picture, too.
+    run("home");
     frame();
     assert_no_status();
     run("quit");
@@ -161,6 +165,18 @@ static void test_question_of_lesson(void **state) {
     play_until(PLAYER_WAITS);
     run("leave");
     frame();
+    assert_status("a lesson plays: leave again");
+    assert_true(player_handle_command(app, command_find(command_table, "time"))); // It goes on.
+    frame();
+    assert_no_status();
+    play_until(PLAYER_ASKS);
+    run("quit");
+    assert_status("a lesson plays: leave again");
+    assert_true(player_handle_digit(app, SDL_SCANCODE_2)); // An answer, but to the lesson's.
+    frame();
+    assert_no_status();
+    assert_non_null(app->player.lesson);
+    run("quit");
     assert_status("a lesson plays: leave again");
     run("leave");
     frame();

@@ -220,6 +220,7 @@ static void test_steps(void **state) {
                                "size(320, 240.5)\n"
                                "pixel(0.25, 0.75)\n"
                                "ray(2)\n"
+                               "mark(0.5, 1)\n"
                                "move(\"sphere\", 3, 0.5, -1, 2)\n"
                                "move(\"sphere\", 3, 0.5, -1, 2, true)\n"
                                "set(\"sphere\", 3, \"radius\", 1.5)\n";
@@ -227,6 +228,8 @@ static void test_steps(void **state) {
         {"size(320)", "size(WIDTH, HEIGHT)"},
         {"size(0, 10)", "size must be at least 1"},
         {"ray(-1)", "ray must be at least 0"},
+        {"mark(0.5)", "mark(X, Y)"},
+        {"mark(1.5, 0)", "mark must be at least 0 and at most 1, not 1.5"},
         {"move(\"spher\", 1, 0, 0, 0)", "there is no object `spher`; did you mean `sphere`?"},
         {"set(\"sphere\", 1, \"radus\", 1)",
          "sphere has no field `radus`; did you mean `radius`?"}};
@@ -240,7 +243,7 @@ static void test_steps(void **state) {
     if (!lesson) {
         fail_msg("%s", error.message);
     }
-    assert_int_equal(lesson->count, 6);
+    assert_int_equal(lesson->count, 7);
     const LessonStep *steps = lesson->steps;
     assert_int_equal(steps[0].kind, LESSON_SIZE);
     assert_true(steps[0].x == 320 && steps[0].y == 240);
@@ -248,16 +251,18 @@ static void test_steps(void **state) {
     assert_true(steps[1].x == 0.25 && steps[1].y == 0.75);
     assert_int_equal(steps[2].kind, LESSON_RAY);
     assert_int_equal(steps[2].action, 2);
-    for (int i = 3; i < 5; i++) {
+    assert_int_equal(steps[3].kind, LESSON_MARK);
+    assert_true(steps[3].x == 0.5 && steps[3].y == 1);
+    for (int i = 4; i < 6; i++) {
         assert_int_equal(steps[i].kind, LESSON_MOVE);
         assert_int_equal(steps[i].action, 3);
         assert_int_equal(steps[i].keyword, scene_object_keyword_find("sphere"));
         assert_true(steps[i].x == 0.5 && steps[i].y == -1 && steps[i].z == 2);
-        assert_int_equal(steps[i].continues, i == 4);
+        assert_int_equal(steps[i].continues, i == 5);
     }
-    assert_int_equal(steps[5].kind, LESSON_SET);
-    assert_int_equal(steps[5].row, scene_object_row_find(steps[5].keyword, "radius"));
-    assert_true(steps[5].x == 1.5);
+    assert_int_equal(steps[6].kind, LESSON_SET);
+    assert_int_equal(steps[6].row, scene_object_row_find(steps[6].keyword, "radius"));
+    assert_true(steps[6].x == 1.5);
     lesson_destroy(lesson);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[256];

@@ -4,8 +4,24 @@
  */
 #include "window_texts.h"
 
+/** The list of keys begins with that of the scenes and lessons; in a lesson with its own. */
+static void check_first_keys(Help *help) {
+    HelpList list;
+    help_write_list(help, &list);
+    const size_t count = list.count;
+    assert_string_equal(list.rows[0].text, gettext("Scenes and lessons"));
+    assert_string_equal(list.rows[1].label, "F");
+    help->is_in_lesson = true;
+    help_write_list(help, &list);
+    help->is_in_lesson = false;
+    assert_int_equal(list.count, count);
+    assert_string_equal(list.rows[0].text, gettext("Lesson, while it plays"));
+    assert_true(strstr(list.rows[1].label, gettext("Space")));
+}
+
 /** Checks the help. */
 static void check_help(Fixture *fixture) {
+    check_first_keys(&fixture->window.help);
     fixture->window.help.is_open = true;
     check_frame(fixture, "help", 30);
     fixture->window.help.is_open = false;
@@ -169,6 +185,44 @@ static void check_footer(Fixture *fixture, Browser *browser) {
     assert_true(is_found);
 }
 
+/** @return Whether a text is the title of a lesson. */
+static bool is_lesson_title(const Browser *browser, const GuiText *text) {
+    for (size_t i = 0; i < browser->list.count; i++) {
+        char words[GUI_RECORD_SIZE]; // A record is short.
+        SDL_strlcpy(words, browser->list.scenes[i].title, sizeof words);
+        if (browser->list.scenes[i].is_lesson && text->scrolls && strcmp(words, text->text) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** @return Where what is seen of a text ends. */
+static float seen_end(const GuiText *text) {
+    return text->clip.y + text->clip.height;
+}
+
+/** Below its picture the title of each lesson is whole, in as many lines as it needs, unless the
+ *  list itself ends there. */
+static void check_titles(Fixture *fixture, const Browser *browser) {
+    const GuiText *texts;
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    float list_end = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (is_lesson_title(browser, &texts[i])) {
+            list_end = SDL_max(list_end, seen_end(&texts[i]));
+        }
+    }
+    assert_true(list_end > 0);
+    for (size_t i = 0; i < count; i++) {
+        const GuiText *text = &texts[i];
+        if (is_lesson_title(browser, text) && seen_end(text) + ROUNDING < list_end &&
+            text->rect.y + text->rect.height > seen_end(text) + ROUNDING) {
+            fault(fixture, "list", "the title '%s' is cut", text->text);
+        }
+    }
+}
+
 /** Checks the list of scenes. */
 static void check_list(Fixture *fixture) {
     static const ViewSettings settings = {.preview = load_nothing};
@@ -185,6 +239,9 @@ static void check_list(Fixture *fixture) {
         scene_title_read(scene->path, scene->is_lesson, language_is_french(), scene->title);
     }
     check_frame(fixture, "list", 6);
+    browser_key(browser, SDLK_HOME); // Where the lessons are.
+    check_frame(fixture, "list of lessons", 6);
+    check_titles(fixture, browser);
     check_footer(fixture, browser);
     browser_type(browser, "GLA");
     check_frame(fixture, "list with words", 3);

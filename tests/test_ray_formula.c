@@ -6,9 +6,10 @@
 #include "fixtures.h"
 #include "load_scene.h"
 
+#include "render/cut_away.h"
 #include "render/label_layout.h"
-#include "render/orbit_camera.h"
 #include "render/ray_formula.h"
+#include "render/ray_hit.h"
 #include "render/ray_microscope.h"
 
 /** Size of the pictures. */

@@ -515,7 +515,8 @@ static void test_view(void **state) {
         assert_true(renderer_record_ray_tree(renderer, WIDTH / 2, HEIGHT / 2, &tree, &error));
         for (int width = 200; width <= 800; width *= 4) {
             double x, y;
-            OrbitCamera view = orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, width, 400);
+            OrbitCamera view =
+                orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 0, width, 400);
             ProjectedView projected = orbit_camera_project(&view, width, 400);
             const Vec3d points[] = {tree.nodes[0].origin, tree.nodes[0].point};
             for (int p = 0; p < 2; p++) {
@@ -553,7 +554,7 @@ static void test_numbers(void **state) {
     Renderer *renderer = create_renderer(scene, &settings);
     assert_true(renderer_record_ray_tree(renderer, WIDTH / 2, HEIGHT / 2, &tree, &error));
     assert_true(tree.count > 12);
-    OrbitCamera orbit = orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 800, 600);
+    OrbitCamera orbit = orbit_camera_fit(renderer, scene, &(CutAway){0}, &tree, 0, 800, 600);
     RayDrawing drawing = {
         .tree = &tree, .orbit = &orbit, .view = orbit_camera_project(&orbit, 800, 600)};
     size_t last = tree.count - 1, numbered = 0;

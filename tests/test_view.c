@@ -217,9 +217,10 @@ static void test_keymap_help(void **state) {
     Help help = {.commands = command_table};
     help_write_list(&help, &list);
     assert_in_range(list.count, 20, HELP_ROWS_MAXIMUM - 1);
-    assert_string_equal(list.rows[0].text, "Light");
+    assert_string_equal(list.rows[0].text, "Scenes and lessons");
     assert_true(list.rows[0].is_heading);
-    assert_string_equal(list.rows[1].label, "W  S");
+    assert_string_equal(list.rows[1].label, "F");
+    assert_string_equal(help_text_keys(&list, "lamp up, down"), "W  S");
     assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  Z");
     assert_string_equal(help_text_keys(&list, "camera forward, back"), "Page Up  Page Down");
     assert_string_equal(help_text_keys(&list, "save the picture (Shift: as on the screen)"),
@@ -246,7 +247,7 @@ static void test_keymap_help(void **state) {
     }
     help.by_letter = true;
     help_write_list(&help, &list);
-    assert_string_equal(list.rows[1].label, "Z  S");
+    assert_string_equal(help_text_keys(&list, "lamp up, down"), "Z  S");
     assert_string_equal(help_text_keys(&list, "lamp away from you, nearer"), "E  W");
 }
 
@@ -257,6 +258,11 @@ static void test_help_keys(void **state) {
     assert_true(help_handle_key(&help, SDLK_RETURN));
     assert_null(help.requested);
     assert_true(help_handle_key(&help, SDLK_DOWN));
+    assert_true(help_handle_key(&help, SDLK_RETURN));
+    assert_string_equal(help.requested->name, "scenes");
+    for (int row = 0; row < 3; row++) { // Record, words, and over a heading.
+        assert_true(help_handle_key(&help, SDLK_DOWN));
+    }
     assert_true(help_handle_key(&help, SDLK_RETURN));
     assert_string_equal(help.requested->name, "light up");
     assert_true(help_handle_key(&help, SDLK_RIGHT) && help_handle_key(&help, SDLK_RIGHT));
@@ -279,13 +285,13 @@ static void test_keyboard_labels(void **state) {
     (void)state;
     const Help help = {.commands = command_table};
     assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 1);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 2);
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
     assert_null(row_at(SDL_SCANCODE_F3));
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 8);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 9);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 

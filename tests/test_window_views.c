@@ -10,6 +10,9 @@
 
 #include "dioptre/script.h"
 #include "dioptre/view.h"
+#include "render/renderer_internal.h"
+
+#include <math.h>
 
 /** Seconds that the first picture may take. */
 static const double PICTURE_SECONDS = 60;
@@ -292,8 +295,225 @@ static void check_toolbar_changes(Fixture *fixture) {
     window_toggle_presentation(window);
     assert_int_equal(height_of(fixture), low); // It has no toolbar either.
     window_toggle_presentation(window);
-    assert_false(window->toolbar.is_folded);
+    assert_true(window->toolbar.is_folded); // As it was.
+    assert_int_equal(height_of(fixture), low);
+    window_toggle_toolbar(window);
     assert_int_equal(height_of(fixture), tall);
+    for (int is_by_toolbar = 0; is_by_toolbar < 2; is_by_toolbar++) {
+        window_toggle_presentation(window);
+        assert_true(window->is_presenting && window->toolbar.is_folded);
+        if (is_by_toolbar) {
+            window_toggle_toolbar(window); // Who wants it wants no presentation.
+        } else {
+            window_toggle_presentation(window);
+        }
+        assert_false(window->is_presenting || window->toolbar.is_folded);
+        assert_int_equal(height_of(fixture), tall);
+    }
+}
+
+/* --- the bar ---------------------------------------------------------------------------------- */
+
+/** Buttons of the bar whose words stay, in English. */
+static const char *const fixed_buttons[] = {"scenes", "costs", "chart", "magnifier", "photo"};
+
+/** Finds where the buttons of the bar lie whose words stay. */
+static void find_buttons(Fixture *fixture, GuiRect places[COUNT(fixed_buttons)]) {
+    window_present(&fixture->window);
+    window_present(&fixture->window);
+    for (size_t i = 0; i < COUNT(fixed_buttons); i++) {
+        const GuiText *text = find_text(fixture, gettext(fixed_buttons[i]));
+        assert_non_null(text);
+        places[i] = text->rect;
+    }
+}
+
+/** Checks that no button of the bar has moved. @param what What has changed. */
+static void check_buttons(Fixture *fixture, const char *what,
+                          const GuiRect before[COUNT(fixed_buttons)]) {
+    GuiRect after[COUNT(fixed_buttons)];
+    find_buttons(fixture, after);
+    for (size_t i = 0; i < COUNT(fixed_buttons); i++) {
+        if (before[i].x != after[i].x || before[i].y != after[i].y) {
+            fault(fixture, what, "'%s' goes from %g %g to %g %g", fixed_buttons[i],
+                  (double)before[i].x, (double)before[i].y, (double)after[i].x, (double)after[i].y);
+        }
+    }
+}
+
+/** Checks that the buttons of the bar stay where they are, whatever its values are. */
+static void check_still_bar(Fixture *fixture) {
+    static const int numbers[] = {1, 2, 9, 16, 17, 128, 1000, 1024};
+    Window *window = &fixture->window;
+    const RenderSettings settings = window->base_settings;
+    const WindowState state = window->state;
+    GuiRect places[COUNT(fixed_buttons)];
+    if (window->toolbar.is_folded) {
+        return; // A window that is too small for it.
+    }
+    window->state.is_animated = true;
+    find_buttons(fixture, places);
+    window->state.is_running = true;
+    check_buttons(fixture, "running", places);
+    window->state.can_undo = window->state.can_redo = window->state.is_playing = true;
+    check_buttons(fixture, "played", places);
+    for (size_t i = 0; i < COUNT(numbers); i++) {
+        window->base_settings.samples = numbers[i];
+        window->base_settings.trace.depth = SDL_min(numbers[i], KEY_DEPTH_MAXIMUM);
+        window->base_settings.trace.epsilon = pow(10, -(double)i * 2);
+        window->base_settings.trace.offset = (OffsetStrategy)(i % (OFFSET_BOUND + 1));
+        window->base_settings.lighting = (LightingMode)(i % LIGHTING_MODE_COUNT);
+        window->viewports[0].layer = (Layer)(i % LAYER_COUNT);
+        check_buttons(fixture, "values", places);
+    }
+    window->viewports[0].layer = LAYER_SHADED;
+    window->base_settings = settings;
+    window->state = state;
+}
+
+/** @return Whether a picture of the window takes seconds, and shows no more than a small one. */
+static bool is_large(const Window *window) {
+    return window_picture_rect(window).w > 1000;
+}
+
+/* --- one pixel -------------------------------------------------------------------------------- */
+
+/** Rays that were traced for a pixel. */
+static int traced;
+
+/** Counts the rays of pixels. See #Engine.trace_primary. */
+static void count_primary(const Tracer *tracer, const PixelGrid *grid, int *shapes,
+                          double *distances) {
+    traced++;
+    engine_find("auto", NULL)->trace_primary(tracer, grid, shapes, distances);
+}
+
+/** Checks that a frame traces one ray for the pixel that it names, and that what it says of it lies
+ *  neither on that pixel nor on the picture's edge there. */
+static void check_readout(Fixture *fixture) {
+    Window *window = &fixture->window;
+    const Readout *readout = &window->readout;
+    if (is_large(window)) {
+        return;
+    }
+    wait_for_picture(fixture);
+    Renderer *renderer = window->viewports[0].renderer;
+    const Engine *engine = renderer->settings.engine;
+    static Engine counting;
+    counting = *engine;
+    counting.trace_primary = count_primary;
+    renderer->settings.engine = &counting;
+    magnifier_toggle(&window->magnifier);
+    window->magnifier.has_place = true;
+    for (double start = clock_now_seconds();
+         !readout->is_read && clock_now_seconds() - start < PICTURE_SECONDS;) {
+        update(fixture); // The whole first pass.
+        window_present(window);
+    }
+    const int width = window->viewports[0].width, height = window->viewports[0].height;
+    for (int place = 0; place < 9; place++) {
+        window->magnifier.pixel =
+            (PixelPosition){place % 3 * (width - 1) / 2, place / 3 * (height - 1) / 2};
+        traced = 0;
+        window_present(window);
+        assert_int_equal(traced, 1);
+        check_frame(fixture, "readout", 1);
+        assert_true(readout->is_shown);
+        const GuiPoint point = window_pixel_place(window, &window->magnifier.pixel);
+        const GuiRect *rect = &readout->rect;
+        const bool is_below = place / 3 == 2 && place % 3 == 0;
+        if (point.x >= rect->x && point.x < rect->x + rect->width && point.y >= rect->y &&
+            point.y < rect->y + rect->height) {
+            fault(fixture, "readout", "it lies on the pixel %g %g", (double)point.x,
+                  (double)point.y);
+        }
+        if (place / 3 < 2 ? readout->is_above : is_below && !readout->is_above) {
+            fault(fixture, "readout", "at %g %g it lies at the wrong edge", (double)point.x,
+                  (double)point.y);
+        }
+    }
+    magnifier_toggle(&window->magnifier);
+    renderer->settings.engine = engine;
+}
+
+/** Checks that the legends of two pictures side by side leave most of each to be seen. */
+static void check_two_legends(Fixture *fixture) {
+    Window *window = &fixture->window;
+    Error error = {0};
+    if (is_large(window)) {
+        return;
+    }
+    window->split.mode = SPLIT_BAR;
+    assert_true(window_update_renderers(window, fixture->scene, &error));
+    assert_int_equal(window_viewport_count(window), 2);
+    wait_for_picture(fixture);
+    const GuiRect area = window_area_units(window);
+    for (int layer = 1; layer < LAYER_COUNT; layer++) {
+        for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+            RenderStats *report = &window->viewports[i].report;
+            report->layer = (LayerStats){.layer = (Layer)layer,
+                                         .pixel_count = 480000,
+                                         .artifact_pixels = 17000,
+                                         .leak_pixels = 17000,
+                                         .reference = "f64x4"};
+            report->is_finished = true;
+        }
+        check_frame(fixture, layer_name((Layer)layer), area.width >= 640 ? 4 : 2);
+        const GuiRect *left = &window->legend_rects[0], *right = &window->legend_rects[1];
+        assert_true(left->x + left->width <= right->x + ROUNDING);
+        for (size_t i = 0; i < WINDOW_VIEWPORTS && area.width >= 640; i++) {
+            const GuiRect *rect = &window->legend_rects[i];
+            const bool has_names = layer == LAYER_SHAPES; // Narrow, they may be too high.
+            if (rect->height <= 0 || (rect->width > 0.3F * area.width && !has_names)) {
+                fault(fixture, layer_name((Layer)layer), "legend %zu is %g wide, of %g", i,
+                      (double)rect->width, (double)area.width);
+            }
+        }
+    }
+    window->split.mode = SPLIT_NONE;
+    assert_true(window_update_renderers(window, fixture->scene, &error));
+}
+
+/* --- where the rays are ----------------------------------------------------------------------- */
+
+/** @return The area of a rectangle that lies in another one; fails if it does not. */
+static int part_of(const SDL_Rect *rect, const SDL_Rect *area) {
+    SDL_Rect both;
+    assert_true(rect->w == 0 || rect->h == 0 ||
+                (SDL_IntersectRect(rect, area, &both) && both.w == rect->w && both.h == rect->h));
+    return rect->w * rect->h;
+}
+
+/** The parts of the view of rays fill it without a gap, whatever its shape and that of the picture
+ *  are; a picture of the view's own shape leaves no room beside itself. */
+static void test_ray_layout(void **state) {
+    static const int shapes[][2] = {{640, 480},   {800, 600}, {1280, 800}, {1920, 1080},
+                                    {1819, 1023}, {600, 900}, {3000, 500}, {333, 333}};
+    (void)state;
+    for (size_t i = 0; i < COUNT(shapes) * COUNT(shapes) * 2; i++) {
+        const int *size = shapes[i / 2 % COUNT(shapes)], *picture = shapes[i / 2 / COUNT(shapes)];
+        const SDL_Rect area = {10, 20, size[0], size[1]};
+        const RayView rays = {.width = picture[0],
+                              .height = picture[1],
+                              .pane = i % 2 ? RAY_PANE_PLAN : RAY_PANE_NONE};
+        const RayViewLayout layout = ray_view_layout(&rays, &area);
+        const SDL_Rect *const parts[] = {&layout.buttons, &layout.formulas, &layout.view,
+                                         &layout.pane,    &layout.list,     &layout.inset_room};
+        int covered = 0;
+        for (size_t part = 0; part < COUNT(parts); part++) {
+            covered += part_of(parts[part], &area);
+            for (size_t other = 0; other < part; other++) {
+                assert_false(SDL_HasIntersection(parts[part], parts[other]));
+            }
+        }
+        assert_int_equal(covered, area.w * area.h);
+        part_of(&layout.inset, &layout.inset_room);
+        if (size == picture) {
+            assert_int_equal(layout.inset.w, layout.inset_room.w);
+            assert_int_equal(layout.inset.h, layout.inset_room.h);
+        }
+        assert_true(layout.view.w >= area.w / 4 && layout.list.w >= 3 * area.w / 10);
+    }
 }
 
 /** The rays of a pixel of glass. */
@@ -322,6 +542,21 @@ static void test_chart(void **state) {
     in_all_windows(state, check_chart);
 }
 
+/** The bar, whose values change. */
+static void test_still_bar(void **state) {
+    in_all_windows(state, check_still_bar);
+}
+
+/** What a pixel shows. */
+static void test_readout(void **state) {
+    in_all_windows(state, check_readout);
+}
+
+/** The legends of two pictures. */
+static void test_two_legends(void **state) {
+    in_all_windows(state, check_two_legends);
+}
+
 /** A presentation. */
 static void test_presentation(void **state) {
     in_all_windows(state, check_presentation);
@@ -342,7 +577,9 @@ int main(void) {
         cmocka_unit_test(test_toolbar_changes), cmocka_unit_test(test_rays),
         cmocka_unit_test(test_lesson_panel),    cmocka_unit_test(test_inspector),
         cmocka_unit_test(test_magnifier),       cmocka_unit_test(test_chart),
-        cmocka_unit_test(test_presentation),
+        cmocka_unit_test(test_presentation),    cmocka_unit_test(test_ray_layout),
+        cmocka_unit_test(test_still_bar),       cmocka_unit_test(test_readout),
+        cmocka_unit_test(test_two_legends),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);
 }

@@ -120,7 +120,7 @@ static void check_overlaps(Fixture *fixture, const char *what) {
 }
 
 /** Draws some frames, and checks the last one. @param least Fewest texts. */
-static void check_frame(Fixture *fixture, const char *what, size_t least) {
+static inline void check_frame(Fixture *fixture, const char *what, size_t least) {
     const GuiText *texts;
     for (int i = 0; i < 3; i++) {
         window_present(&fixture->window);
@@ -166,7 +166,7 @@ static void bind_catalogues(void) {
 }
 
 /** Runs a check in all sizes of the window and in both languages. */
-static void in_all_windows(void **state, void check(Fixture *fixture)) {
+static inline void in_all_windows(void **state, void check(Fixture *fixture)) {
     if (!*state) {
         skip();
     }

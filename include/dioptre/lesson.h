@@ -50,6 +50,7 @@ typedef enum {
     LESSON_PIXEL,   /**< The rays of a pixel are shown: a click. */
     LESSON_WALK,    /**< The rays of a pixel nearby are shown: Ctrl and an arrow. */
     LESSON_RAY,     /**< One of these rays is chosen: a click on it. */
+    LESSON_MARK,    /**< A pixel is marked in the picture. */
     LESSON_BAR,     /**< The bar between two pictures is dragged. */
     LESSON_DRAG,    /**< A light is dragged in the picture. */
     LESSON_SELECT,  /**< An object is selected. */

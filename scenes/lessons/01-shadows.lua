@@ -76,12 +76,13 @@ hold("light down", 1)
 wait(0.5)
 explain()
 press "home"
-caption { wait = true, en = "Everything as at first. Let us look at one place of the floor.",
-          fr = "Tout est remis comme au début. Regardons maintenant un seul endroit du sol." }
+mark(0.06, 0.72)
+caption { wait = true, en = "Everything as at first. Let us look at one place of the floor: the marked one.",
+          fr = "Tout est remis comme au début. Regardons maintenant un seul endroit du sol, celui qui est marqué." }
 
 ask {
-  en = "How does the program know that a place of the floor is in shadow?",
-  fr = "Comment le programme sait-il qu’un endroit du sol est à l’ombre ?",
+  en = "How does the program know that this place is in shadow?",
+  fr = "Comment le programme sait-il que cet endroit est à l’ombre ?",
   choices = {
     { en = "It stretches the outline of the ball over the floor", fr = "Il étale le contour de la boule sur le sol" },
     { en = "It asks whether the way to the lamp is free", fr = "Il vérifie si le chemin vers la lampe est libre" },
@@ -89,13 +90,15 @@ ask {
   },
   right = 2,
   because = {
-    en = "From that place a ray goes towards the lamp: the shadow ray. Here the ball is in its way.",
-    fr = "De cet endroit part un rayon vers la lampe : le rayon d’ombre. Ici, la boule lui barre le chemin." },
+    en = "From that place a ray goes towards the lamp, the yellow point: the shadow ray. Here the ball is in its way.",
+    fr = "De cet endroit part un rayon vers la lampe, le point jaune : c’est le rayon d’ombre. Ici, la boule lui barre le chemin." },
 }
-pixel(0.2, 0.8)
+press "rays"
+ray(1) -- The shadow ray.
 wait(0.5)
 explain()
 pixel(0.6, 0.9)
+ray(1)
 caption { wait = true,
   en = "And here, in the light, the way is free. So the lamp's light counts for this pixel.",
   fr = "Et ici, en pleine lumière, le chemin est libre. La lumière de la lampe compte donc pour ce pixel." }

@@ -29,14 +29,14 @@ local sides = {
     fr = "Ce qui est à droite reste à droite. Mais le miroir montre l’arrière des objets : c’est l’avant et l’arrière qui s’échangent." },
 }
 
--- Our place before the mirror.
-local function look()
-  turn(-11, -3)
-  zoom(5)
+-- The camera goes around the middle of the mirror, slowly enough for a class to follow.
+local function go_around(degrees)
+  for i = 1, 20 do
+    orbit(degrees / 20, 0, 0, 1.05, -3)
+    wait(0.06)
+  end
 end
 
-speed(0.25) -- Slowly, so that a class can follow.
-look()
 caption { wait = true,
   en = "A ball, a cube, and a mirror in a frame. The mirror is still switched off: it sends no ray on.",
   fr = "Une boule, un cube et un miroir encadré. Le miroir ne réfléchit pas encore : il ne renvoie aucun rayon." }
@@ -48,8 +48,31 @@ caption { wait = true,
   fr = "On voit les faces de la boule et du cube qui nous sont cachées. Pourtant, aucun objet n’a été copié." }
 
 ask {
-  en = "A ray from the eye meets the mirror at a slant. Where does it go then?",
-  fr = "Un rayon venu de l’œil rencontre le miroir en biais. Où va-t-il ensuite ?",
+  en = "Beside us stand two posts: a blue one on the left, a green one on the right. Our eye goes to the left. Which one does the mirror show then?",
+  fr = "À côté de nous, deux poteaux : un bleu à gauche, un vert à droite. Notre œil se déplace vers la gauche. Lequel le miroir montre-t-il alors ?",
+  choices = {
+    { en = "None: the mirror has not moved", fr = "Aucun : le miroir n’a pas bougé" },
+    { en = "The blue one, on the left", fr = "Le bleu, à gauche" },
+    { en = "The green one, on the right", fr = "Le vert, à droite" },
+  },
+  right = 3,
+  because = {
+    en = "A mirror is like a window into a second room: who goes left sees more of its right.",
+    fr = "Un miroir est comme une fenêtre sur une seconde pièce : en allant à gauche, on voit mieux sa partie droite." },
+}
+go_around(25)
+wait(0.5)
+explain()
+go_around(-50)
+wait(0.3)
+mark(0.383, 0.36)
+caption { wait = true,
+  en = "And from the right we see the blue post on the left. Let us take the marked pixel, in the middle of its image.",
+  fr = "Et depuis la droite, on voit le poteau bleu, à gauche. Prenons le pixel marqué, au milieu de son image." }
+
+ask {
+  en = "The ray from the eye through this pixel meets the mirror at a slant. Where does it go then?",
+  fr = "Le rayon qui part de l’œil par ce pixel rencontre le miroir en biais. Où va-t-il ensuite ?",
   choices = {
     { en = "Back to the eye", fr = "Il revient vers l’œil" },
     { en = "On, to the other side, at the same angle", fr = "De l’autre côté de la normale, avec le même angle" },
@@ -57,38 +80,20 @@ ask {
   },
   right = 2,
   because = {
-    en = "Angle in and angle out are equal. Then comes the same question as for each ray: what does it meet?",
-    fr = "L’angle de réflexion est égal à l’angle d’incidence. Puis, la même question que pour tout rayon : que rencontre-t-il ?" },
+    en = "Measured from the dashed normal, angle in and angle out are equal. Then, as for each ray: what does it meet? The blue post.",
+    fr = "De part et d’autre de la normale, en tirets, les deux angles sont égaux. Puis, comme pour tout rayon : que rencontre-t-il ? Le poteau bleu." },
 }
-pixel(0.5, 0.35)
+press "shadow rays" -- Here they would only be in the way.
+press "rays"
+ray(2) -- The mirrored one.
 wait(0.5)
 explain()
 press "rays"
-caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
-
-ask {
-  en = "Our eye goes to the left. Which part of the room does the mirror show then?",
-  fr = "Notre œil se déplace vers la gauche. Quelle partie de la pièce le miroir montre-t-il alors ?",
-  choices = {
-    { en = "The same part: the mirror has not moved", fr = "La même : le miroir n’a pas bougé" },
-    { en = "More of what is on the left", fr = "Davantage de ce qui est à gauche" },
-    { en = "More of what is on the right", fr = "Davantage de ce qui est à droite" },
-  },
-  right = 3,
-  because = {
-    en = "A mirror is like a window into a second room: who goes left sees more of its right.",
-    fr = "Un miroir est comme une fenêtre sur une seconde pièce : en allant à gauche, on voit mieux sa partie droite." },
-}
-hold("camera left", 1.2)
-wait(1)
-explain()
-hold("camera right", 2.4)
-wait(0.3)
-caption { wait = true, en = "And from the right we see more of what is on the left.",
-          fr = "Et depuis la droite, on voit mieux ce qui est à gauche." }
+press "shadow rays"
 press "home"
 press "less deep"
-look()
+caption { wait = true, en = "Back to our first place, with the mirror switched off.",
+          fr = "Revenons au point de départ, avec le miroir qui ne réfléchit pas." }
 ask(sides)
 press "deeper"
 wait(0.5)

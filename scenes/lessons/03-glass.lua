@@ -29,16 +29,26 @@ local order = {
     fr = "Les rayons se croisent derrière la boule. La gauche et la droite sont donc échangées, le haut et le bas aussi." },
 }
 
+-- How often rays are mirrored and refracted; 0: as the lesson begins.
+local depth = 0
+local function set_depth(wanted)
+  for i = depth + 1, wanted do press "deeper" end
+  for i = wanted + 1, depth do press "less deep" end
+  depth = wanted
+end
+
 caption { wait = true,
   en = "A ball of glass. As yet no ray may go through it, so it is dark.",
   fr = "Une boule de verre. Pour l’instant, aucun rayon ne peut la traverser : elle est sombre." }
 ask(order)
-for i = 1, 8 do press "deeper" end
+set_depth(8)
 wait(1)
+explain()
 
+mark(0.63, 0.46)
 ask {
-  en = "A ray enters the glass at a slant. What happens to its direction?",
-  fr = "Un rayon entre en biais dans le verre. Que devient sa direction ?",
+  en = "The ray of the marked pixel enters the glass at a slant. What happens to its direction?",
+  fr = "Le rayon du pixel marqué entre en biais dans le verre. Que devient sa direction ?",
   choices = {
     { en = "It goes straight on: glass is clear", fr = "Il va tout droit : le verre est transparent" },
     { en = "It bends towards the perpendicular", fr = "Il se rapproche de la normale" },
@@ -46,13 +56,22 @@ ask {
   },
   right = 2,
   because = {
-    en = "Light is slower in glass. The sine of its angle is divided by the index 1.5; on its way out it is multiplied by it.",
-    fr = "La lumière est plus lente dans le verre. À l’entrée, le sinus de l’angle est divisé par l’indice 1,5 ; à la sortie, il est multiplié par 1,5." },
+    en = "Towards the dashed perpendicular: light is slower in glass. The sine of its angle is divided by the index 1.5; on its way out it is multiplied by it.",
+    fr = "Il se rapproche de la normale, en tirets : la lumière est plus lente dans le verre. À l’entrée, le sinus de l’angle est divisé par l’indice 1,5 ; à la sortie, il est multiplié par 1,5." },
 }
-pixel(0.6, 0.4)
+-- Only the path through the ball: neither shadow rays nor what glass mirrors.
+set_depth(2)
+press "shadow rays"
+press "mirrored rays"
+press "rays"
+ray(4) -- In the glass.
+zoom(9)
 wait(0.5)
 explain()
 press "rays"
+press "mirrored rays"
+press "shadow rays"
+set_depth(8)
 caption { wait = true, en = "Back to the picture.", fr = "Retour à l’image." }
 
 ask {
@@ -65,16 +84,26 @@ ask {
   },
   right = 2,
   because = {
-    en = "In the middle 4 % are mirrored. At the rim the ray comes flat, and nearly all is: that is Fresnel's law.",
-    fr = "Au centre, 4 % de la lumière est réfléchie. Au bord, le rayon est rasant et presque tout est réfléchi : ce sont les formules de Fresnel." },
+    en = "In the middle it is not quite 4 %. Near the rim, where the ray comes flat, it is many times that, as the first line says; at the very edge nearly all. That is Fresnel's law.",
+    fr = "Au centre, c’est un peu moins de 4 %. Près du bord, le rayon est rasant et c’est bien davantage, comme le dit la première ligne ; tout au bord, presque tout est réfléchi : ce sont les formules de Fresnel." },
 }
+set_depth(2)
+press "shadow rays"
+pixel(0.5, 0.46)
+wait(3)
+pixel(0.75, 0.46)
+wait(1)
+explain()
+press "rays"
+press "shadow rays"
+set_depth(8)
 turn(12, 0)
 zoom(12)
-wait(1)
+wait(0.5)
 caption { wait = true, en = "You know it from a lake: clear at your feet, a mirror far away.",
           fr = "C’est comme un lac : transparent à vos pieds, miroir au loin." }
 press "home"
-for i = 1, 8 do press "less deep" end
+set_depth(0)
 ask(order)
-for i = 1, 8 do press "deeper" end
+set_depth(8)
 wait(1)

@@ -31,14 +31,14 @@ local green = {
 }
 
 caption { wait = true,
-  en = "Five balls: red, green, blue, yellow, white. One white lamp, a white wall, nothing else.",
-  fr = "Cinq boules : rouge, verte, bleue, jaune, blanche. Une lampe blanche, un mur blanc, rien d’autre." }
+  en = "On the floor five balls: red, green, blue, yellow, white. A white one hangs before the white wall. One white lamp, nothing else.",
+  fr = "Au sol, cinq boules : rouge, verte, bleue, jaune, blanche. Une boule blanche est suspendue devant le mur blanc. Une seule lampe, blanche." }
 ask(green)
 press "time on"
 wait(1)
 caption { wait = true,
-  en = "White and yellow give back red as well as red itself does: here these three balls look alike.",
-  fr = "Le blanc et le jaune renvoient le rouge aussi bien que le rouge lui-même : ici, ces trois boules ont la même couleur." }
+  en = "White and yellow give back red as well as red itself does: here all these balls look alike.",
+  fr = "Le blanc et le jaune renvoient le rouge aussi bien que le rouge lui-même : ici, toutes ces boules ont la même couleur." }
 
 ask {
   en = "A green lamp joins the red one. Which colour has the white wall where both shine?",

@@ -4,7 +4,7 @@
 lesson {
   scene = "../box.lua",
   title = { en = "The rays of one pixel", fr = "Les rayons d’un pixel" },
-  size = {800, 600}, samples = 4,
+  size = {800, 600}, samples = 1, -- One ray per pixel, as it says.
   learnt = {
     { en = "The rays start at the eye, against the way of the light.",
       fr = "Les rayons partent de l’œil, en sens inverse de la lumière." },
@@ -29,30 +29,35 @@ local first = {
     fr = "Presque rien de la lumière de la lampe n’arrive à l’œil. En partant de l’œil, chaque rayon est utile." },
 }
 
+mark(0.55, 0.92)
 caption { wait = true,
-  en = "800 times 600 pixels, and a colour for each. Let us take one of them: on the floor, in front.",
-  fr = "800 × 600 pixels, et une couleur pour chacun. Prenons-en un seul : sur le sol, devant." }
+  en = "Each pixel of the picture gets one colour. Let us take one of them: the marked one, on the floor in front.",
+  fr = "Chaque pixel de l’image reçoit une couleur. Prenons-en un seul : celui qui est marqué, sur le sol, devant." }
 ask(first)
-pixel(0.4125, 0.9833)
+press "rays"
 wait(0.5)
 caption { wait = true,
-  en = "A second camera shows the box from beside. The ray from the eye meets the floor.",
-  fr = "Une seconde caméra montre la boîte de côté. Le rayon venu de l’œil rencontre le sol." }
+  en = "A second camera shows the box from another side. The ray from the eye, ray 0, meets the floor.",
+  fr = "Une seconde caméra montre la boîte d’un autre côté. Le rayon venu de l’œil, le rayon 0, rencontre le sol." }
 press "rays"
+mark(0.55, 0.92)
 
 ask {
   en = "The floor is matt, and there is one lamp. How many rays does this pixel need in all?",
   fr = "Le sol est mat, et il y a une seule lampe. Combien de rayons faut-il en tout pour ce pixel ?",
-  choices = { "1", "2", "3", { en = "As many as there are things", fr = "Autant que d’objets" } },
+  choices = { { en = "One", fr = "Un seul" }, { en = "Two", fr = "Deux" }, { en = "Three", fr = "Trois" },
+              { en = "As many as there are things", fr = "Autant que d’objets" } },
   right = 2,
   because = {
-    en = "Two: one from the eye to the floor, and the shadow ray from the floor to the lamp.",
-    fr = "Deux : un de l’œil au sol, et le rayon d’ombre, du sol à la lampe." },
+    en = "Two: ray 0 from the eye to the floor, and ray 1, the shadow ray, from the floor to the lamp.",
+    fr = "Deux : le rayon 0, de l’œil au sol, et le rayon 1, le rayon d’ombre, du sol à la lampe." },
 }
 press "rays"
+ray(1) -- The shadow ray.
 wait(0.5)
 explain()
 press "rays"
+mark(0.4375, 0.7667)
 caption { wait = true, en = "Now a pixel of the red ball. It shines: it mirrors a part of the light.",
           fr = "Maintenant, un pixel de la boule rouge. Elle est brillante : elle réfléchit une partie de la lumière." }
 
@@ -69,7 +74,7 @@ ask {
     en = "Its colour is a sum: its own red in the lamp's light, and a share of what the mirrored ray finds.",
     fr = "Sa couleur est une somme : son propre rouge, éclairé par la lampe, et une part de ce que trouve le rayon réfléchi." },
 }
-pixel(0.4375, 0.7667)
+press "rays"
 wait(0.5)
 press "ray on"
 wait(1)

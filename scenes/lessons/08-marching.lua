@@ -75,10 +75,12 @@ ask {
     en = "Bright is many steps. A ray that passes close by a thing makes small steps, as it did beside the box.",
     fr = "Clair : beaucoup de pas. Un rayon qui frôle un objet fait de petits pas, comme à côté de la boîte." },
 }
+turn(5, 0) -- The ball comes out from under the legend.
 press "layer steps"
 wait(1)
 explain()
 press "layer light"
+press "home"
 caption { wait = true, en = "What is still missing? All is flat: there is no light.",
           fr = "Que manque-t-il encore ? Tout est plat : il n’y a pas de lumière." }
 press "time on"

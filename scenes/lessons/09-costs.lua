@@ -96,15 +96,15 @@ ask {
   },
   right = 1,
   because = {
-    en = "The difference is blank, but for single pixels at edges. Here float is enough.",
-    fr = "La différence est nulle, sauf sur quelques pixels isolés, aux bords. Ici, float suffit." },
+    en = "The difference of both pictures is blank: no pixel differs, or very few, at edges. Here float is enough.",
+    fr = "La différence des deux images est vide : aucun pixel ne diffère, ou très peu, aux bords. Ici, float suffit." },
 }
 press "split"
 press "engine"
 press "split"
 wait(1)
-caption { wait = true, en = "For any scene, `dioptre needs` finds out what is enough, and why.",
-          fr = "Pour chaque scène, `dioptre needs` trouve ce qui suffit, et dit pourquoi." }
+caption { wait = true, en = "For any scene, the command “dioptre needs” finds out what is enough, and why.",
+          fr = "Pour chaque scène, la commande « dioptre needs » trouve ce qui suffit, et dit pourquoi." }
 press "as at first"
 for i = 1, 4 do press "samples twice" end
 ask(most)

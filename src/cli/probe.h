@@ -5,7 +5,7 @@
 #ifndef DIOPTRE_CLI_PROBE_H
 #define DIOPTRE_CLI_PROBE_H
 
-#include "render/orbit_camera.h"
+#include "dioptre/renderer.h"
 
 /** The probed pixel. */
 typedef struct ProbeReport {

@@ -4,6 +4,7 @@
  */
 #include "base/json.h"
 #include "cli/probe.h"
+#include "render/ray_hit.h"
 
 /** Writes a number so that it can be read back exactly. */
 static void write_exact(JsonWriter *json, const char *name, double value) {

@@ -9,6 +9,7 @@
 #include "dioptre/scene.h"
 #include "render/ray_drawing.h"
 #include "render/ray_formula.h"
+#include "render/ray_hit.h"
 
 #include <libintl.h>
 #include <stdio.h>

@@ -4,12 +4,7 @@
  */
 #include "render/orbit_camera.h"
 
-#include "base/language.h"
-#include "dioptre/scene_words.h"
 #include "render/renderer_internal.h"
-
-#include <libintl.h>
-#include <stdio.h>
 
 /** Horizontal field of view of the second camera, degrees. */
 static const double ORBIT_FOV = 40;
@@ -21,8 +16,8 @@ static const double WHOLE_RAY_FACTOR = 4;
 static const double FIT_MARGIN = 1.25;
 /** Largest tilt, degrees. */
 static const double ORBIT_TILT_MAXIMUM = 89;
-/** Distance of the near plane, relative to that of the target. */
-static const double NEAR_PLANE = 1e-3;
+/** Least depth of a ray, and least size of a picture by parallel light, relative to the rays. */
+static const double LEAST_FRACTION = 1e-3;
 
 /** Most points of a tree. */
 enum { RAY_POINTS_MAXIMUM = 64 };
@@ -61,9 +56,14 @@ static double drawn_length(const RayTreeNode *ray, double maximum) {
     return length <= WHOLE_RAY_FACTOR * maximum ? length : maximum;
 }
 
-/** @return The points of a tree: the ends of all rays, as far as they are drawn. @param radius See
- *  #OrbitCamera.ray_length_maximum. */
-static RayPoints ray_points_of(const RayTree *tree, double radius) {
+/** @return Whether a ray is drawn: rays of hidden kinds are not, but for the first. */
+static bool is_drawn(const RayTree *tree, size_t ray, unsigned hidden_kinds) {
+    return ray == 0 || !(hidden_kinds >> tree->nodes[ray].kind & 1);
+}
+
+/** @return The points of a tree: the ends of all rays, as far as they are drawn, and the lamps that
+ *  blocked shadow rays were sent to. @param radius See #OrbitCamera.ray_length_maximum. */
+static RayPoints ray_points_of(const RayTree *tree, unsigned hidden_kinds, double radius) {
     RayPoints points = {.count = 0};
     const RayTreeNode *camera = &tree->nodes[0];
     Vec3d first = ray_at(camera, fmin(ray_length(camera), radius));
@@ -71,6 +71,12 @@ static RayPoints ray_points_of(const RayTree *tree, double radius) {
     ray_points_add(&points, first, first, HUGE_VAL);
     for (size_t i = 1; i < tree->count; i++) {
         const RayTreeNode *ray = &tree->nodes[i];
+        if (!is_drawn(tree, i, hidden_kinds)) {
+            continue;
+        }
+        if (ray->kind == RAY_SHADOW && ray->is_hit && ray->limit <= WHOLE_RAY_FACTOR * radius) {
+            ray_points_add(&points, ray_at(ray, ray->limit), first, HUGE_VAL);
+        }
         // The infinite ones count as short, so that the others fill the picture.
         bool is_whole = drawn_length(ray, radius) == ray_length(ray);
         double length = is_whole ? ray_length(ray) : radius / 2;
@@ -113,22 +119,45 @@ static size_t count_visible(const Renderer *renderer, const CutAway *cut, const 
     return visible;
 }
 
-/** Rotates the camera to where it sees the most points. @param[in,out] orbit Has the pan of the
- *  pixel's camera. */
-static void choose_angles(const Renderer *renderer, const CutAway *cut, OrbitCamera *orbit,
-                          const RayPoints *points) {
+/** @return How clearly the rays lie apart in a picture, 0 to 1: how much it shows of their lengths,
+ *  and of the angles between each and the one that it comes from. Rays count by their share of the
+ *  pixel's light. @param forward Direction of view, of length 1. */
+static double view_clarity(const RayTree *tree, unsigned hidden_kinds, Vec3d forward) {
+    const RayTreeNode *rays = tree->nodes;
+    double seen = vec3d_length(vec3d_cross(rays[0].direction, forward)), lengths = 1;
+    double open = 0, angles = 0;
+    for (size_t i = 1; i < tree->count; i++) {
+        if (is_drawn(tree, i, hidden_kinds)) {
+            const Vec3d direction = rays[i].direction;
+            const Vec3d plane = vec3d_cross(rays[rays[i].parent].direction, direction);
+            const double share = rays[i].throughput;
+            seen += share * vec3d_length(vec3d_cross(direction, forward));
+            lengths += share;
+            open += share * fabs(vec3d_dot(plane, forward));
+            angles += share * vec3d_length(plane);
+        }
+    }
+    return angles > 0 ? (seen / lengths + open / angles) / 2 : seen / lengths;
+}
+
+/** Rotates the camera to where it sees the most points, and the rays lie apart. @param[in,out]
+ *  orbit Has the pan of the pixel's camera. */
+static void choose_angles(const Renderer *renderer, const CutAway *cut, const RayTree *tree,
+                          unsigned hidden_kinds, OrbitCamera *orbit) {
     static const double pans[] = {-50, 50, -80, 80, -25, 25, -115, 115};
     static const double tilts[] = {-18, -40, -5, -65};
-    double initial_pan = orbit->pan;
+    const RayPoints points = ray_points_of(tree, hidden_kinds, orbit->ray_length_maximum);
+    double initial_pan = orbit->pan, best_score = -1;
     OrbitCamera best = *orbit;
-    size_t best_count = 0;
     for (size_t i = 0; i < sizeof pans / sizeof *pans * (sizeof tilts / sizeof *tilts); i++) {
         orbit->pan = initial_pan + pans[i % (sizeof pans / sizeof *pans)];
         orbit->tilt = tilts[i / (sizeof pans / sizeof *pans)];
-        size_t count = count_visible(renderer, cut, orbit, points);
-        if (i == 0 || count > best_count) {
+        double clarity = view_clarity(tree, hidden_kinds, orbit_camera_direction(orbit));
+        // A view from where rays lie upon each other is worth half of one where they lie apart.
+        double score = (double)count_visible(renderer, cut, orbit, &points) * (1 + clarity);
+        if (score > best_score) {
             best = *orbit;
-            best_count = count;
+            best_score = score;
         }
     }
     *orbit = best;
@@ -139,10 +168,17 @@ void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt) {
     orbit->tilt = fmin(fmax(orbit->tilt + tilt, -ORBIT_TILT_MAXIMUM), ORBIT_TILT_MAXIMUM);
 }
 
-void orbit_camera_zoom(OrbitCamera *orbit, double factor) {
+Vec3d orbit_camera_ray_middle(const OrbitCamera *orbit, const RayTreeNode *ray) {
+    return ray_at(ray, drawn_length(ray, orbit->ray_length_maximum) / 2);
+}
+
+void orbit_camera_zoom(OrbitCamera *orbit, double factor, Vec3d focus) {
     /** Times as near, or as far, as at first. */
     const double range = 50;
-    orbit->zoom = fmin(fmax(orbit->zoom * factor, 1 / range), range);
+    const double before = orbit->zoom;
+    orbit->zoom = fmin(fmax(before * factor, 1 / range), range);
+    const Vec3d off = vec3d_subtract(orbit->target, focus);
+    orbit->target = vec3d_add(focus, vec3d_scale(off, before / orbit->zoom));
 }
 
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height) {
@@ -156,13 +192,6 @@ ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int heig
     camera.target_distance = points_distance(camera.position, orbit->target);
     camera.look_at = orbit->target;
     return (ProjectedView){camera, width, height};
-}
-
-/** @return A point in camera coordinates: to the right, up, and ahead. */
-static Vec3d to_camera_space(const SceneCamera *camera, Vec3d point) {
-    Vec3d from = vec3d_subtract(point, camera->position);
-    return (Vec3d){vec3d_dot(from, scene_camera_right(camera)), vec3d_dot(from, camera->up),
-                   vec3d_dot(from, camera->direction)};
 }
 
 /** The cone of places along one axis of the picture from which all points are in sight. */
@@ -187,7 +216,7 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
     ProjectedView view = orbit_camera_project(orbit, width, height);
     double nearest = HUGE_VAL, farthest = -HUGE_VAL;
     for (size_t i = 0; i < points->count; i++) {
-        Vec3d p = to_camera_space(&view.camera, points->points[i]);
+        Vec3d p = camera_space(&view.camera, points->points[i]);
         const double across[] = {p.x, p.y};
         nearest = fmin(nearest, p.z);
         farthest = fmax(farthest, p.z);
@@ -197,7 +226,7 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
             cone->high = fmin(cone->high, across[axis] + cone->slope * p.z);
         }
     }
-    double least = NEAR_PLANE * orbit->radius, middle = (nearest + farthest) / 2;
+    double least = LEAST_FRACTION * orbit->radius, middle = (nearest + farthest) / 2;
     double depth = fmin(fmin(cone_depth(&cones[0]), cone_depth(&cones[1])), nearest - least);
     Vec3d right = vec3d_scale(scene_camera_right(&view.camera), (cones[0].low + cones[0].high) / 2);
     Vec3d up = vec3d_scale(view.camera.up, (cones[1].low + cones[1].high) / 2);
@@ -208,13 +237,13 @@ static void orbit_camera_fit_points(OrbitCamera *orbit, const RayPoints *points,
 }
 
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
-                             const RayTree *tree, int width, int height) {
+                             const RayTree *tree, unsigned hidden_kinds, int width, int height) {
     const SceneCamera *camera = &scene->camera;
     double first = ray_length(&tree->nodes[0]);
     OrbitCamera orbit = {.zoom = 1,
                          .ray_length_maximum = MAX_DISTANCE_FACTOR *
                                                (isfinite(first) ? first : camera->target_distance)};
-    RayPoints points = ray_points_of(tree, orbit.ray_length_maximum);
+    RayPoints points = ray_points_of(tree, hidden_kinds, orbit.ray_length_maximum);
     Vec3d low = points.points[0], high = low;
     for (size_t i = 1; i < points.count; i++) {
         low = vec3d_min(low, points.points[i]);
@@ -225,7 +254,7 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const
         orbit.radius = fmax(orbit.radius, points_distance(points.points[i], orbit.target));
     }
     orbit.pan = atan2(camera->direction.x, -camera->direction.z) * (180 / M_PI);
-    choose_angles(renderer, cut, &orbit, &points);
+    choose_angles(renderer, cut, tree, hidden_kinds, &orbit);
     orbit_camera_fit_points(&orbit, &points, width, height);
     return orbit;
 }
@@ -234,17 +263,17 @@ ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, V
                                 Vec3d up, int width, int height, double *nearest) {
     /** Distance of the camera, in sizes of the picture. */
     const double distance = 1e4;
-    RayPoints points = ray_points_of(tree, orbit->ray_length_maximum);
+    RayPoints points = ray_points_of(tree, 0, orbit->ray_length_maximum);
     SceneCamera camera = {.direction = forward, .up = up};
     Vec3d low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < points.count; i++) {
-        Vec3d p = to_camera_space(&camera, points.points[i]);
+        Vec3d p = camera_space(&camera, points.points[i]);
         low = vec3d_min(low, p);
         high = vec3d_max(high, p);
     }
     Vec3d middle = vec3d_scale(vec3d_add(low, high), 0.5);
     double size = fmax(high.x - low.x, (high.y - low.y) * width / height);
-    size = FIT_MARGIN * fmax(size, NEAR_PLANE * fmax(1e-3, vec3d_max_abs(middle)));
+    size = FIT_MARGIN * fmax(size, LEAST_FRACTION * fmax(1e-3, vec3d_max_abs(middle)));
     camera.target_distance = distance * size;
     camera.fov = 2 * atan(0.5 / distance) * (180 / M_PI);
     camera.look_at =
@@ -253,27 +282,6 @@ ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, V
     camera.position = vec3d_subtract(camera.look_at, vec3d_scale(forward, camera.target_distance));
     *nearest = camera.target_distance + low.z - middle.z;
     return (ProjectedView){camera, width, height};
-}
-
-/** Projects a point. @param p The point, see #to_camera_space; it is ahead. */
-static void project_point(const ProjectedView *view, Vec3d p, double *x, double *y) {
-    double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
-    *x = view->width / 2.0 + p.x / p.z / pixel;
-    *y = view->height / 2.0 - p.y / p.z / pixel;
-}
-
-double projected_view_scale(const ProjectedView *view, Vec3d point) {
-    double depth = to_camera_space(&view->camera, point).z;
-    return view->width / (2 * tan(view->camera.fov / 2 * (M_PI / 180)) * depth);
-}
-
-bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y) {
-    Vec3d p = to_camera_space(&view->camera, point);
-    if (p.z <= NEAR_PLANE * view->camera.target_distance) {
-        return false;
-    }
-    project_point(view, p, x, y);
-    return true;
 }
 
 /** @return The intersection of a line with the near plane. @param behind Its end behind it. */
@@ -287,10 +295,10 @@ static Vec3d clip_to_near(Vec3d behind, Vec3d ahead, double near_plane) {
 
 bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *view,
                               const RayTreeNode *ray, ProjectedRay *projected) {
-    double length = ray_length(ray), near_plane = NEAR_PLANE * view->camera.target_distance;
-    Vec3d from = to_camera_space(&view->camera, ray->origin);
+    double length = ray_length(ray), near_plane = camera_near_depth(&view->camera);
+    Vec3d from = camera_space(&view->camera, ray->origin);
     double drawn = drawn_length(ray, orbit->ray_length_maximum);
-    Vec3d to = to_camera_space(&view->camera, ray_at(ray, drawn));
+    Vec3d to = camera_space(&view->camera, ray_at(ray, drawn));
     projected->is_truncated = length > drawn;
     if (from.z <= near_plane && to.z <= near_plane) {
         return false;
@@ -300,33 +308,7 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
     } else if (to.z < near_plane) {
         to = clip_to_near(to, from, near_plane);
     }
-    project_point(view, from, &projected->x[0], &projected->y[0]);
-    project_point(view, to, &projected->x[1], &projected->y[1]);
+    projected_view_place(view, from, &projected->x[0], &projected->y[0]);
+    projected_view_place(view, to, &projected->x[1], &projected->y[1]);
     return true;
-}
-
-const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray) {
-    return scene_shape_keywords[scene->shapes[ray->shape].class_index]->name;
-}
-
-void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]) {
-    if (!ray->is_hit) {
-        snprintf(name, RAY_HIT_NAME_SIZE, "%s", gettext("nothing but the sky"));
-    } else if (ray->shape < 0) {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("lamp %d"), ray->light + 1);
-    } else if (scene->shapes[ray->shape].origin.line > 0) {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("the %s of line %d"),
-                 scene_word(ray_hit_keyword(scene, ray)), scene->shapes[ray->shape].origin.line);
-    } else {
-        snprintf(name, RAY_HIT_NAME_SIZE, gettext("%s number %d"),
-                 scene_word(ray_hit_keyword(scene, ray)), ray->shape + 1);
-    }
-}
-
-bool ray_is_in_glass(const RayTreeNode *ray) {
-    return ray->surface.is_transparent && ray->surface.is_inside;
-}
-
-double ray_incidence_angle(const RayTreeNode *ray) {
-    return acos(fmin(1, ray->surface.cosine)) * (180 / M_PI);
 }

@@ -7,6 +7,7 @@
 
 #include "dioptre/renderer.h"
 #include "render/cut_away.h"
+#include "render/projected_view.h"
 
 /** A camera on a sphere around a target. */
 typedef struct OrbitCamera {
@@ -18,14 +19,7 @@ typedef struct OrbitCamera {
     double zoom;               /**< Magnification; 1: all rays fit in. */
 } OrbitCamera;
 
-/** The second camera and the size of its picture. */
-typedef struct ProjectedView {
-    SceneCamera camera; /**< The camera. */
-    int width;          /**< Pixels. */
-    int height;         /**< Pixels. */
-} ProjectedView;
-
-/** A ray in that picture, in pixels from its left and upper edge. */
+/** A ray in the second camera's picture, in pixels from its left and upper edge. */
 typedef struct ProjectedRay {
     double x[2];       /**< Where it starts and ends. */
     double y[2];       /**< See #x. */
@@ -33,15 +27,16 @@ typedef struct ProjectedRay {
 } ProjectedRay;
 
 /**
- * Chooses an orbit: to the side of the pixel's camera, where the fewest points of the rays are
- * occluded.
+ * Chooses an orbit: to the side of the pixel's camera, where few points of the rays are occluded
+ * and the rays lie clearly apart.
  * @param cut     Which shapes may be left out: they occlude nothing.
+ * @param hidden_kinds  Kinds of rays that are not drawn, and need no room: bit i is #RayType i.
  * @param width   Of the second camera's picture, pixels; the rays and their lights fill it.
  * @param height  See width.
  * @return The orbit.
  */
 OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const CutAway *cut,
-                             const RayTree *tree, int width, int height);
+                             const RayTree *tree, unsigned hidden_kinds, int width, int height);
 
 /**
  * Rotates a camera around its target.
@@ -50,8 +45,12 @@ OrbitCamera orbit_camera_fit(const Renderer *renderer, const Scene *scene, const
  */
 void orbit_camera_rotate(OrbitCamera *orbit, double pan, double tilt);
 
-/** Multiplies the magnification by a factor. */
-void orbit_camera_zoom(OrbitCamera *orbit, double factor);
+/** Multiplies the magnification by a factor. @param focus The point that keeps its place in the
+ *  direction of view: what lies around it comes to the middle. */
+void orbit_camera_zoom(OrbitCamera *orbit, double factor, Vec3d focus);
+
+/** @return The middle of a ray, as far as it is drawn. */
+Vec3d orbit_camera_ray_middle(const OrbitCamera *orbit, const RayTreeNode *ray);
 
 /**
  * @return The camera on an orbit.
@@ -59,17 +58,6 @@ void orbit_camera_zoom(OrbitCamera *orbit, double factor);
  * @param height  See width.
  */
 ProjectedView orbit_camera_project(const OrbitCamera *orbit, int width, int height);
-
-/**
- * Projects a point.
- * @param[out] x  Pixels from the left edge.
- * @param[out] y  Pixels from the upper edge.
- * @return Whether it is in front of the camera.
- */
-bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y);
-
-/** @return Pixels of a scene unit at a point in front of the camera, across the view. */
-double projected_view_scale(const ProjectedView *view, Vec3d point);
 
 /**
  * Projects a ray.
@@ -89,24 +77,5 @@ bool orbit_camera_project_ray(const OrbitCamera *orbit, const ProjectedView *vie
  */
 ProjectedView parallel_view_fit(const OrbitCamera *orbit, const RayTree *tree, Vec3d forward,
                                 Vec3d up, int width, int height, double *nearest);
-
-/** Longest name of what a ray hit, bytes with its final zero. */
-enum { RAY_HIT_NAME_SIZE = 64 };
-
-/**
- * @return The keyword of the shape that a ray hit.
- * @param ray  A ray that hit one.
- */
-const char *ray_hit_keyword(const Scene *scene, const RayTreeNode *ray);
-
-/** Names what a ray hit, in the user's language: a shape, a light or the sky. */
-void ray_hit_name(const Scene *scene, const RayTreeNode *ray, char name[RAY_HIT_NAME_SIZE]);
-
-/** @return Whether a ray meets a surface from inside glass. A floor has no inside, whichever way
- * its normal points. */
-bool ray_is_in_glass(const RayTreeNode *ray);
-
-/** @return The angle of incidence of a ray that hit a surface, degrees. */
-double ray_incidence_angle(const RayTreeNode *ray);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "base/language.h"
 
+#include <float.h>
 #include <libintl.h>
 #include <math.h>
 #include <stdio.h>
@@ -33,8 +34,10 @@ static const double MARK_FACTOR = 2.4;
 static const double ARROW_POSITION = 0.6;
 /** Opacity of a ray's border. */
 static const double BORDER_ALPHA = 0.8;
+/** Length of a normal, relative to the height of the drawing. */
+static const double NORMAL_LENGTH = 0.22;
 /** Opacity of the rays that are not selected, if one is. */
-static const double DIM_ALPHA = 0.4;
+static const double DIM_ALPHA = 0.55;
 
 const RayStyle *ray_styles(void) {
     static const RayStyle styles[RAY_STYLE_COUNT] = {
@@ -115,11 +118,10 @@ static bool is_shown(const RayDrawing *drawing, size_t index) {
     return !(drawing->hidden_kinds >> drawing->tree->nodes[index].kind & 1);
 }
 
-// Clipped (Liang and Barsky), so that arrowhead and number are in sight and dashes are few.
-bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *line) {
-    const RayTreeNode *ray = &drawing->tree->nodes[index];
-    if (!is_shown(drawing, index) ||
-        !orbit_camera_project_ray(drawing->orbit, &drawing->view, ray, line)) {
+/** Projects a ray and clips it to the drawing (Liang and Barsky), so that arrowhead and number are
+ *  in sight and dashes are few. @return Whether any of it is in sight. */
+static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray, ProjectedRay *line) {
+    if (!orbit_camera_project_ray(drawing->orbit, &drawing->view, ray, line)) {
         return false;
     }
     double first = 0, last = 1;
@@ -142,6 +144,10 @@ bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *
     return first < last;
 }
 
+bool ray_drawing_project(const RayDrawing *drawing, size_t index, ProjectedRay *line) {
+    return is_shown(drawing, index) && project_clipped(drawing, &drawing->tree->nodes[index], line);
+}
+
 /** Draws a ray. */
 static void draw_ray(const RayDrawing *drawing, const ProjectedRay *line, size_t index) {
     bool is_selected = index == drawing->selected;
@@ -149,6 +155,52 @@ static void draw_ray(const RayDrawing *drawing, const ProjectedRay *line, size_t
     draw_line(drawing, line, ray_style(&drawing->tree->nodes[index]), thickness,
               is_selected ? 1 : BORDER_ALPHA);
     draw_arrow(drawing, line, thickness);
+}
+
+/** Draws how a blocked shadow ray would go on to its lamp. */
+static void draw_missing_light(const RayDrawing *drawing, size_t index) {
+    RayTreeNode beyond = drawing->tree->nodes[index];
+    ProjectedRay line;
+    if (beyond.kind != RAY_SHADOW || !beyond.is_hit || !is_shown(drawing, index) ||
+        !(isfinite(beyond.limit) && beyond.distance < beyond.limit)) {
+        return;
+    }
+    beyond.origin = vec3d_add(beyond.origin, vec3d_scale(beyond.direction, beyond.distance));
+    beyond.limit -= beyond.distance;
+    beyond.distance = HUGE_VAL;
+    if (project_clipped(drawing, &beyond, &line)) {
+        const RayStyle dots = {ray_style(&drawing->tree->nodes[index])->color, 1, 3, NULL};
+        draw_line(drawing, &line, &dots, line_thickness(drawing), BORDER_ALPHA / 2);
+    }
+}
+
+/** Draws the normal at a point: on both sides of what lets rays through, else on that of the ray.
+ *  @param ray The ray that meets the surface there. */
+static void draw_normal(const RayDrawing *drawing, const RayTreeNode *ray) {
+    static const RayStyle style = {0x404040, 4, 2, NULL};
+    if (!ray->is_hit || ray->shape < 0 || ray->kind == RAY_SHADOW) {
+        return;
+    }
+    const double scale = projected_view_scale(&drawing->view, ray->point);
+    const double length = NORMAL_LENGTH * drawing->view.height / fmax(scale, DBL_MIN);
+    const double side = vec3d_dot(ray->direction, ray->normal) > 0 ? -length : length;
+    const double behind = ray->surface.is_transparent ? -side : 0;
+    const Vec3d from = vec3d_add(ray->point, vec3d_scale(ray->normal, behind));
+    const Vec3d to = vec3d_add(ray->point, vec3d_scale(ray->normal, side));
+    ProjectedRay line;
+    if (projected_view_point(&drawing->view, from, &line.x[0], &line.y[0]) &&
+        projected_view_point(&drawing->view, to, &line.x[1], &line.y[1])) {
+        draw_line(drawing, &line, &style, line_thickness(drawing), BORDER_ALPHA);
+    }
+}
+
+/** Draws the normals where the selected ray starts and ends. */
+static void draw_normals(const RayDrawing *drawing) {
+    const RayTreeNode *ray = &drawing->tree->nodes[drawing->selected];
+    draw_normal(drawing, ray);
+    if (ray->parent >= 0) {
+        draw_normal(drawing, &drawing->tree->nodes[ray->parent]);
+    }
 }
 
 void ray_drawing_text(const RayDrawing *drawing, double x, double y, const char *text) {
@@ -173,6 +225,7 @@ static void draw_other_rays(const RayDrawing *drawing) {
     ProjectedRay line;
     for (size_t i = drawing->tree->count; i-- > 0;) { // The first rays lie over all others.
         if (i != drawing->selected && ray_drawing_project(drawing, i, &line)) {
+            draw_missing_light(drawing, i);
             draw_ray(drawing, &line, i);
         }
     }
@@ -191,7 +244,9 @@ void ray_drawing_rays(const RayDrawing *drawing) {
     }
     if (is_dim && !drawing->hides_selected &&
         ray_drawing_project(drawing, drawing->selected, &line)) {
+        draw_missing_light(drawing, drawing->selected);
         draw_ray(drawing, &line, drawing->selected);
+        draw_normals(drawing);
     }
 }
 

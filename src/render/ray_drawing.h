@@ -53,7 +53,8 @@ typedef struct RayDrawing {
     bool hides_selected;      /**< Whether the selected ray is not drawn either: it is in flight. */
 } RayDrawing;
 
-/** Draws all rays, each with a light border and an arrowhead. */
+/** Draws all rays, each with a light border and an arrowhead; the way that a blocked shadow ray
+ *  lacks to its lamp as dots; the normals where the selected ray starts and ends. */
 void ray_drawing_rays(const RayDrawing *drawing);
 
 /** Rays that have numbers, at most: more would hide the rays. */

@@ -5,7 +5,7 @@
 #include "render/ray_formula.h"
 
 #include "base/language.h"
-#include "render/orbit_camera.h"
+#include "render/ray_hit.h"
 
 #include <libintl.h>
 #include <math.h>
@@ -78,12 +78,6 @@ add(RayFormulas *formulas, const char *label, const char *format, ...) {
 
 Vec3d ray_front_normal(const RayTreeNode *ray) {
     return vec3d_scale(ray->normal, ray->surface.is_inside ? -1 : 1);
-}
-
-bool ray_is_through_glass(const RayTreeNode *ray) {
-    Rgbd left = ray->transmittance;
-    return ray->kind == RAY_SHADOW && !ray->is_hit &&
-           (left.red < 1 || left.green < 1 || left.blue < 1);
 }
 
 double ray_refraction_cosine(const RayTreeSurface *surface) {

@@ -54,10 +54,6 @@ void ray_sum_write(const RayFormulaInput *input, size_t index, RayFormulas *sum)
  *  @param surface A transparent surface. */
 double ray_refraction_cosine(const RayTreeSurface *surface);
 
-/** @return Whether a shadow ray reaches its light through a transparent shape, which takes a part
- * of it. */
-bool ray_is_through_glass(const RayTreeNode *ray);
-
 /** @return The normal of a surface on the side of the ray that hit it. */
 Vec3d ray_front_normal(const RayTreeNode *ray);
 

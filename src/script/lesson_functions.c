@@ -267,13 +267,26 @@ static int call_size(lua_State *L) {
     return 0;
 }
 
-/** `pixel(X, Y)`, fractions of the image. See lua_CFunction. @return 0 */
+/** Adds a step at a pixel: the first two arguments, fractions of the image. @param name The called
+ *  function, for errors. */
+static void add_step_at_pixel(lua_State *L, LessonStepKind kind, const char *name) {
+    LessonStep step = {.kind = kind};
+    step.x = read_number(L, 1, name, 0, 1);
+    step.y = read_number(L, 2, name, 0, 1);
+    add_step(L, step);
+}
+
+/** `pixel(X, Y)`: shows the rays of a pixel. See lua_CFunction. @return 0 */
 static int call_pixel(lua_State *L) {
     check_argument_count(L, 2, 2, "pixel(X, Y)");
-    LessonStep step = {.kind = LESSON_PIXEL};
-    step.x = read_number(L, 1, "pixel", 0, 1);
-    step.y = read_number(L, 2, "pixel", 0, 1);
-    add_step(L, step);
+    add_step_at_pixel(L, LESSON_PIXEL, "pixel");
+    return 0;
+}
+
+/** `mark(X, Y)`: marks a pixel. See lua_CFunction. @return 0 */
+static int call_mark(lua_State *L) {
+    check_argument_count(L, 2, 2, "mark(X, Y)");
+    add_step_at_pixel(L, LESSON_MARK, "mark");
     return 0;
 }
 
@@ -409,14 +422,14 @@ static int call_snapshot(lua_State *L) {
 /** Adds the functions of lessons to a state. See #ScriptDialect.open. */
 static void register_functions(lua_State *L) {
     static const luaL_Reg functions[] = {
-        {"lesson", call_lesson}, {"caption", call_caption},  {"wait", call_wait},
-        {"press", call_press},   {"release", call_release},  {"hold", call_hold},
-        {"speed", call_speed},   {"turn", call_turn},        {"zoom", call_zoom},
-        {"size", call_size},     {"pixel", call_pixel},      {"walk", call_walk},
-        {"ray", call_ray},       {"bar", call_bar},          {"drag", call_drag},
-        {"ask", call_ask},       {"explain", call_explain},  {"select", call_select},
-        {"set", call_set},       {"orbit", call_orbit},      {"pan", call_pan},
-        {"move", call_move},     {"snapshot", call_snapshot}};
+        {"lesson", call_lesson}, {"caption", call_caption}, {"wait", call_wait},
+        {"press", call_press},   {"release", call_release}, {"hold", call_hold},
+        {"speed", call_speed},   {"turn", call_turn},       {"zoom", call_zoom},
+        {"size", call_size},     {"pixel", call_pixel},     {"walk", call_walk},
+        {"ray", call_ray},       {"bar", call_bar},         {"drag", call_drag},
+        {"ask", call_ask},       {"explain", call_explain}, {"select", call_select},
+        {"set", call_set},       {"orbit", call_orbit},     {"pan", call_pan},
+        {"move", call_move},     {"mark", call_mark},       {"snapshot", call_snapshot}};
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
         lua_register(L, functions[i].name, functions[i].func);
     }

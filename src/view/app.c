@@ -15,8 +15,8 @@
 
 /** Factor of the field of view per notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 0.9;
-/** Widest field of view by the wheel, degrees: in a wider one things at the edge are drawn so large,
- *  and those in the middle so small, that a turned wheel seems to have lost the scene. */
+/** Widest field of view by the wheel, degrees: in a wider one things at the edge are drawn so
+ * large, and those in the middle so small, that a turned wheel seems to have lost the scene. */
 static const double ZOOM_FOV_MAXIMUM = 100;
 /** Movement of the second camera per notch of the wheel, in seconds of a held key. */
 static const double FORWARD_PER_NOTCH = 0.125;
@@ -33,16 +33,19 @@ void app_set_status(App *app, const char *format, ...) {
     window_set_toast(&app->window, app->title.status_text);
 }
 
+void app_set_title_status(App *app, const char *text) {
+    app_clear_status(app);
+    SDL_strlcpy(app->title.status_text, gettext(text), sizeof app->title.status_text);
+}
+
 void app_set_status_while(App *app, StatusHoldsFn *holds, const char *text) {
     app_set_status(app, "%s", gettext(text));
     app->title.holds = holds;
 }
 
 void app_update_status(App *app) {
-    // What ends by time ends before its message on the picture does, which wakes the loop.
     if (app->title.holds && !app->title.holds(app)) {
         app_clear_status(app);
-        window_end_toast(&app->window);
     }
 }
 
@@ -63,6 +66,9 @@ void app_sync_window(App *app) {
 }
 
 void app_clear_status(App *app) {
+    if (app->title.holds) {
+        window_end_toast(&app->window);
+    }
     app->title.status_text[0] = '\0';
     app->title.holds = NULL;
     app->title.next_update_time = 0;

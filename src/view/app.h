@@ -168,10 +168,9 @@ typedef struct TitleState {
 
 /** The end of the program. */
 typedef struct ExitState {
-    bool is_requested;       /**< Whether the window is to be closed. */
-    Status status;           /**< Exit status of the program. */
-    const char *question;    /**< What was asked before leaving, in English; NULL: nothing. */
-    double confirmation_end; /**< Until when leaving again answers it, seconds. */
+    bool is_requested;    /**< Whether the window is to be closed. */
+    Status status;        /**< Exit status of the program. */
+    const char *question; /**< What was asked before leaving, in English; NULL: nothing. */
 } ExitState;
 
 /** The state of an open window. */
@@ -202,6 +201,9 @@ typedef struct App {
 /** Shows a status in the title, until the view changes, and for a while on the picture. @param
  * format In English, as for printf; translated here. */
 void app_set_status(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/** Shows a status in the title alone. @param text In English; translated here. */
+void app_set_title_status(App *app, const char *text);
 
 /** Shows a status that goes, in the title and on the picture, once it does not hold any more.
  *  @param text In English; translated here. */

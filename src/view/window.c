@@ -145,8 +145,10 @@ void window_cycle_split(Window *window, int step) {
     }
 }
 
-bool window_awaits_second_picture(const Window *window) {
-    return window->split.mode != SPLIT_NONE && !window->viewports[1].renderer;
+bool window_awaits_frame(const Window *window) {
+    const RayView *ray_view = &window->ray_view;
+    return (window->split.mode != SPLIT_NONE && !window->viewports[1].renderer) ||
+           (ray_view->is_open && ray_view->is_new);
 }
 
 void window_swap_active(Window *window) {

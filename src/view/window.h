@@ -13,6 +13,8 @@
 #include "view/panels/light_marks.h"
 #include "view/panels/magnifier.h"
 #include "view/panels/object_inspector.h"
+#include "view/panels/picture_projection.h"
+#include "view/panels/pixel_readout.h"
 #include "view/panels/ray_view.h"
 #include "view/panels/settings_chart_panel.h"
 #include "view/panels/toolbar.h"
@@ -56,6 +58,18 @@ typedef struct ToolbarChange {
     SDL_Point after;     /**< The same, after it. */
 } ToolbarChange;
 
+/** What a frame says of the pixel under the mouse, or of the one that is magnified. Starts as
+ * `{0}`.
+ */
+typedef struct Readout {
+    bool is_read;            /**< Whether #pixel is known. */
+    bool is_shown;           /**< Whether it is to be shown. */
+    bool is_above;           /**< Whether it lies at the upper edge, and not at the lower one. */
+    PixelReadout pixel;      /**< What the pixel shows. */
+    char text[READOUT_SIZE]; /**< The same in words. */
+    GuiRect rect;            /**< Where it lies, screen units. */
+} Readout;
+
 /** A window. Starts as `{0}`. */
 typedef struct Window {
     Viewport viewports[WINDOW_VIEWPORTS];   /**< The viewports; the second is open only in the split
@@ -69,6 +83,7 @@ typedef struct Window {
     bool shows_settings;                    /**< Whether the panels show the settings. */
     double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
     bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
+    bool was_folded;          /**< Whether the toolbar was hidden before that. */
     Toast layer_name;         /**< Name of the layer, in a presentation. */
     Help help;                /**< The help. */
     Notice notice;            /**< The notice of an error. */
@@ -85,6 +100,7 @@ typedef struct Window {
     LightMarks light_marks;            /**< The marks of the lights. */
     ObjectInspector object_inspector;  /**< The selected object. */
     Magnifier magnifier;               /**< Some pixels as squares. */
+    Readout readout;                   /**< What one of them shows. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
     Toast toast;                       /**< The newest message. */
     Toast hint;                        /**< What to press, at the start. */
@@ -142,8 +158,9 @@ void window_forget_changes(Window *window);
 /** Changes the mode of the split view. @param step 1: the next; -1: the previous. */
 void window_cycle_split(Window *window, int step);
 
-/** @return Whether a second picture is wanted, and opens at the end of the frame. */
-bool window_awaits_second_picture(const Window *window);
+/** @return Whether a second picture is wanted, or the rays of another pixel: both are there at the
+ *  end of the frame. */
+bool window_awaits_frame(const Window *window);
 
 /** Makes the other viewport the active one. */
 void window_swap_active(Window *window);
@@ -226,10 +243,11 @@ void window_relayout_toolbar(Window *window);
 /** Opens or closes the panel of a lesson. @param panel What it shows; without a lesson: closed. */
 void window_set_lesson_panel(Window *window, const LessonPanel *panel);
 
-/** Shows or hides the toolbar. */
+/** Shows or hides the toolbar. In a presentation, which has none: ends that and shows it. */
 void window_toggle_toolbar(Window *window);
 
-/** Begins or ends a presentation: no bar, larger letters, the pointer as a ring. */
+/** Begins a presentation: no bar, larger letters, the pointer as a ring; or ends it: the toolbar is
+ *  shown or hidden as before. */
 void window_toggle_presentation(Window *window);
 
 /** Sets what the window shows beside its pictures. */
@@ -240,6 +258,9 @@ void window_end_hint(Window *window);
 
 /** Takes the message on the picture away. */
 void window_end_toast(Window *window);
+
+/** Shows the message on the picture until it is replaced or ended. */
+void window_keep_toast(Window *window);
 
 /** Shows a message on the picture for a while. */
 void window_set_toast(Window *window, const char *text);

@@ -31,6 +31,9 @@ GuiRect window_area_units(const Window *window);
  */
 GuiRect window_area_below_button(const Window *window);
 
+/** @return The same with the part of the lesson's panel: for what covers both. */
+GuiRect window_whole_below_button(const Window *window);
+
 /** @return The height of letters, screen units. The bar does not count, as it grows with them. */
 float window_text_size(const Window *window);
 
@@ -53,6 +56,12 @@ void window_show_panels_alone(Window *window);
  *  lie. */
 void window_show_huds(Window *window, const GuiRect *area);
 
+/** @return Whether the picture is on screen, and nothing lies over it. */
+bool window_picture_is_shown(const Window *window);
+
+/** @return Whether a column of the picture shows the right one of two. */
+bool window_is_right_side(const Window *window, int column);
+
 /** Shows legends, rings, magnifier and chart: what belongs to a picture of the screen, too. The
  *  legends keep clear of what #window_show_huds has shown. */
 void window_show_values(Window *window);
@@ -67,9 +76,19 @@ float window_show_captions(Window *window, const GuiRect *area);
 /** Places the magnifier. */
 void window_follow_mouse(Window *window);
 
-/** Shows what the pixel under the mouse shows, or the pixel that is magnified. @return Where it
- *  begins, screen units; without a pixel, the lower edge of the picture's part. */
-float window_show_readout(const Window *window);
+/** Reads what the pixel under the mouse shows, or the one that is magnified, and finds where the
+ *  readout lies. Once per frame, as it traces a ray; after the inspector, beside which it lies. */
+void window_read_pixel(Window *window);
+
+/** @return The middle of a pixel of the picture, screen units. */
+GuiPoint window_pixel_place(const Window *window, const PixelPosition *pixel);
+
+/** @return A part of the window without the readout, which lies at one of its edges. @param area
+ * The part of the window for the picture, or one as high. */
+GuiRect window_area_beside_readout(const Window *window, GuiRect area);
+
+/** Shows what #window_read_pixel has read. */
+void window_show_readout(const Window *window);
 
 /** Shows how far a pass is that takes long, at the lower edge of the picture. */
 void window_show_progress(Window *window);

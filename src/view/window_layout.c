@@ -134,12 +134,23 @@ GuiRect window_area_units(const Window *window) {
     return (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h};
 }
 
-GuiRect window_area_below_button(const Window *window) {
-    GuiRect area = window_area_units(window);
+/** @return A part of the window, screen units, without what the button of a folded toolbar hides.
+ */
+static GuiRect below_button(const Window *window, SDL_Rect pixels) {
+    const SDL_Rect units = window_to_units(window, pixels);
+    GuiRect area = {(float)units.x, (float)units.y, (float)units.w, (float)units.h};
     float hidden = SDL_max(0, window->toolbar.height - area.y);
     area.y += hidden;
     area.height = SDL_max(1, area.height - hidden);
     return area;
+}
+
+GuiRect window_area_below_button(const Window *window) {
+    return below_button(window, window_area(window));
+}
+
+GuiRect window_whole_below_button(const Window *window) {
+    return below_button(window, window_area_below_toolbar(window));
 }
 
 float window_text_size(const Window *window) {
@@ -242,6 +253,7 @@ void window_open_widgets(Window *window) {
 void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     bool is_other = !window->lesson_panel.lesson != !panel->lesson;
     window->lesson_panel = *panel;
+    window->ray_view.is_in_lesson = window->help.is_in_lesson = panel->lesson != NULL;
     if (is_other && window->gui) {
         // The window keeps its size: a class would see it jump.
         layout_toolbar(window);
@@ -284,9 +296,14 @@ static void end_change(Window *window, ToolbarChange change) {
 
 void window_toggle_toolbar(Window *window) {
     const ToolbarChange change = begin_change(window);
-    if (set_toolbar_folded(window, !window->toolbar.is_folded)) {
+    const bool is_wanted = window->toolbar.is_folded;
+    if (window->is_presenting) {
+        window->was_folded = false;
+        window_toggle_presentation(window);
+    } else if (set_toolbar_folded(window, !is_wanted)) {
         end_change(window, change);
-    } else {
+    }
+    if (is_wanted && window->toolbar.is_folded) {
         window_set_toast(window, gettext("the window is too small for the toolbar"));
     }
 }
@@ -294,7 +311,10 @@ void window_toggle_toolbar(Window *window) {
 void window_toggle_presentation(Window *window) {
     const ToolbarChange change = begin_change(window);
     window->is_presenting = !window->is_presenting;
-    window->toolbar.is_folded = window->is_presenting;
+    if (window->is_presenting) {
+        window->was_folded = window->toolbar.is_folded;
+    }
+    window->toolbar.is_folded = window->is_presenting || window->was_folded;
     window_relayout_toolbar(window);
     end_change(window, change);
     if (window->gui) {

@@ -24,6 +24,10 @@ void window_set_toast(Window *window, const char *text) {
     }
 }
 
+void window_keep_toast(Window *window) {
+    window->toast.end_time = HUGE_VAL;
+}
+
 void window_end_toast(Window *window) {
     window->toast.end_time = 0;
 }
@@ -59,11 +63,14 @@ static bool toast_expire(Toast *toast, double now) {
 void window_show_recording_sign(const Window *window, int width) {
     static const unsigned char red[3] = {230, 60, 50};
     const char *text = gettext("recording");
-    float size = gui_text_size();
+    const Readout *readout = &window->readout;
+    const float size = gui_text_size();
+    const float above = readout->is_above ? readout->rect.height : 0;
     if (window->state.is_recording) {
         gui_readout("recording", text, red,
                     (GuiPoint){(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
-                               window->toolbar.height + 2 * size});
+                               window->toolbar.height + above + 2 * size},
+                    GUI_ABOVE);
     }
 }
 
@@ -122,12 +129,14 @@ bool window_widgets_are_due(Window *window, double now) {
     is_over = toast_expire(&window->hint, now) || is_over;
     is_over = toast_expire(&window->layer_name, now) || is_over;
     is_over = expire_settings(window, now) || is_over;
-    return is_over || window_progress_timeout(window, now) <= 0 || gui_needs_frame(window->gui);
+    return is_over || window_progress_timeout(window, now) <= 0 ||
+           gui_timeout(window->gui, now) <= 0 || gui_needs_frame(window->gui);
 }
 
 double window_widgets_timeout(const Window *window, double now) {
     const Toast *const toasts[] = {&window->toast, &window->hint, &window->layer_name};
     double delay = gui_needs_frame(window->gui) ? 0 : window_progress_timeout(window, now);
+    delay = fmin(delay, gui_timeout(window->gui, now));
     for (size_t i = 0; i < sizeof toasts / sizeof *toasts; i++) {
         if (toasts[i]->text[0] != '\0') {
             delay = fmin(delay, fmax(0, toasts[i]->end_time - now));

@@ -36,6 +36,10 @@ void window_draw_pictures(Window *window) {
                       window->sdl.renderer, &area);
     } else {
         draw_viewports(window);
+        if (window->ray_view.is_marked) {
+            const SDL_Rect picture = window_picture_rect(window);
+            ray_view_show_mark(&window->ray_view, window->sdl.renderer, &picture);
+        }
     }
 }
 

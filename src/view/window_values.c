@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Values over the picture: legends, rings around artefacts, the pixel under the mouse.
+ * @brief Values over the picture: legends, rings around artefacts, the magnifier, the chart.
  */
 #include "view/panels/legend.h"
 #include "view/panels/pixel_readout.h"
@@ -13,6 +13,10 @@ static const float MAGNIFIED_RADIUS = 0.5F;
 /** Least room below a legend for the readout of one picture and of two, in heights of letters. */
 static const float READOUT_ROOMS[WINDOW_VIEWPORTS] = {2, 5};
 
+/** Usual width of a legend of one picture and of two, fraction of the window's: with two, each has
+ *  half of the window, and the place where they meet is what is compared. */
+static const float LEGEND_WIDTHS[WINDOW_VIEWPORTS] = {0.45F, 0.25F};
+
 /* --- where things are ------------------------------------------------------------------------- */
 
 /** @return The picture's rectangle, screen units. */
@@ -20,45 +24,14 @@ static SDL_Rect picture_units(const Window *window) {
     return window_to_units(window, window_picture_rect(window));
 }
 
-/** @return Whether the picture is on screen, and nothing lies over it. */
-static bool is_picture_shown(const Window *window) {
-    return !window->help.is_open && !window->browser.is_open && !window->ray_view.is_open;
-}
-
 /** @return Whether the difference of two pictures is on screen. */
 static bool is_difference_shown(const Window *window) {
     return window_viewport_count(window) > 1 && window->split.mode == SPLIT_DIFFERENCE;
 }
 
-/** @return Whether a column shows the right one of two pictures. */
-static bool is_right_side(const Window *window, int column) {
+bool window_is_right_side(const Window *window, int column) {
     return window_viewport_count(window) > 1 && window->split.mode == SPLIT_BAR &&
            column >= split_view_column(&window->split, window->viewports[0].width);
-}
-
-/** Finds the pixel under the mouse. @return false if the mouse is not on the picture. */
-static bool pixel_under_mouse(const Window *window, PixelPosition *pixel) {
-    const Viewport *viewport = &window->viewports[0];
-    int x = 0, y = 0;
-    double right, down;
-    SDL_GetMouseState(&x, &y);
-    if (SDL_GetMouseFocus() != window->sdl.window ||
-        !window_picture_position(window, x, y, &right, &down)) {
-        return false;
-    }
-    *pixel = (PixelPosition){(int)(right * viewport->width), (int)(down * viewport->height)};
-    return true;
-}
-
-bool window_named_pixel(const Window *window, PixelPosition *pixel) {
-    if (!window->gui || !is_picture_shown(window)) {
-        return false;
-    }
-    if (window->magnifier.is_on && window->magnifier.has_place) {
-        *pixel = window->magnifier.pixel;
-        return true;
-    }
-    return !gui_has_mouse() && pixel_under_mouse(window, pixel);
 }
 
 /** @return The part of the window for a panel beside the inspector, screen units: the wider side.
@@ -76,38 +49,12 @@ static SDL_Rect area_beside_inspector(const Window *window) {
     return area;
 }
 
-/* --- what a pixel shows ----------------------------------------------------------------------- */
-
-/** Reads a pixel of all pictures. @return false if one has no pass yet. */
-static bool read_pixels(const Window *window, int x, int y, PixelReadout *readout) {
-    *readout = (PixelReadout){
-        .scene = window->state.scene, .x = x, .y = y, .is_magnified = window->magnifier.is_on};
-    for (size_t i = 0; i < window_viewport_count(window); i++) {
-        Renderer *renderer = window->viewports[i].renderer;
-        if (!renderer || !renderer_read_pixel(renderer, x, y, &readout->readings[i])) {
-            return false;
-        }
-        readout->count++;
-    }
-    readout->samples = window->viewports[0].report.samples;
-    return true;
-}
-
-/** Writes what the pixel shows that is named. @return Whether the readout is to be shown. */
-static bool write_readout(const Window *window, PixelReadout *readout, char text[READOUT_SIZE]) {
-    PixelPosition pixel;
-    // It would cover a part of what a question is about.
-    bool is_in_the_way = window->toolbar.is_folded || window->lesson_panel.is_asking;
-    bool is_wanted = window->magnifier.is_on || !is_in_the_way;
-    if (!is_wanted || window->hint.text[0] != '\0' || !window_named_pixel(window, &pixel) ||
-        !read_pixels(window, pixel.x, pixel.y, readout)) {
-        return false;
-    }
-    pixel_readout_write(readout, text);
-    return true;
-}
-
 /* --- legends ---------------------------------------------------------------------------------- */
+
+/** @return Number of legends: the difference of two pictures has one. */
+static size_t legend_count(const Window *window) {
+    return is_difference_shown(window) ? 1 : window_viewport_count(window);
+}
 
 /** Draws the legend of a viewport. @param area The window without its bar, screen units. @return
  *  Where it lies. */
@@ -131,24 +78,28 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
                        .swatch_count = (int)legend->entry_count,
                        .notes = notes,
                        .note_count = (int)legend->note_count};
+    const size_t count = legend_count(window);
     const float gap =
         fmaxf(READOUT_ROOMS[window_viewport_count(window) - 1] * gui_text_size(), readout_height);
     const GuiLegendPlace place = {.corner = {(float)(is_right ? area->x + area->w : area->x),
                                              (float)(area->y + area->h) - gap},
                                   .highest = (float)area->h - gap,
-                                  .widest = (float)area->w,
+                                  .usual =
+                                      LEGEND_WIDTHS[count - 1] * window_area_units(window).width,
+                                  .widest = (float)area->w / (float)count,
                                   .is_right = is_right,
                                   .taken = window->hud_rects,
                                   .taken_count = WINDOW_VIEWPORTS};
     return gui_legend(is_right ? "legend right" : "legend left", &drawn, &place);
 }
 
-/** Shows the legend of each picture, or that of their difference. @param readout_height Room that
- *  the readout takes below them, screen units. */
-static void show_legends(Window *window, float readout_height) {
+/** Shows the legend of each picture, or that of their difference. */
+static void show_legends(Window *window) {
+    const Readout *readout = &window->readout;
+    const float readout_height = readout->is_shown && !readout->is_above ? readout->rect.height : 0;
     SDL_Rect area = area_beside_inspector(window);
     bool is_difference = is_difference_shown(window);
-    size_t count = is_difference ? 1 : window_viewport_count(window);
+    const size_t count = legend_count(window);
     bool is_right = count == 1 && !window->settings_chart.is_open; // The chart lies at the right.
     for (size_t i = 0; i < count; i++) {
         const Viewport *viewport = &window->viewports[i];
@@ -200,74 +151,47 @@ static void show_all_rings(const Window *window) {
 
 /** Draws a pixel of the magnifier, with those around it. */
 static void show_magnifier(const Window *window) {
-    const Viewport *viewport = &window->viewports[0];
     const PixelPosition *pixel = &window->magnifier.pixel;
+    const PixelReadout *readout = &window->readout.pixel;
     uint8_t rgb[3 * MAGNIFIER_PIXELS * MAGNIFIER_PIXELS] = {0};
     char caption[READOUT_SIZE];
-    PixelReadout readout;
-    if (!window->magnifier.is_on || !read_pixels(window, pixel->x, pixel->y, &readout)) {
+    if (!window->magnifier.is_on || !window->readout.is_read) {
         return;
     }
     int reach = MAGNIFIER_PIXELS / 2, x = pixel->x - reach, y = pixel->y - reach;
     window_copy_part(window, x, y, MAGNIFIER_PIXELS, MAGNIFIER_PIXELS, rgb);
-    size_t side = is_right_side(window, pixel->x) ? 1 : 0;
+    size_t side = window_is_right_side(window, pixel->x) ? 1 : 0;
     if (is_difference_shown(window)) {
-        pixel_readout_difference(readout.readings, caption);
+        pixel_readout_difference(readout->readings, caption);
     } else {
-        pixel_readout_value(&readout.readings[side], caption);
+        pixel_readout_value(&readout->readings[side], caption);
     }
     GuiPixels pixels = {rgb, MAGNIFIER_PIXELS, MAGNIFIER_PIXELS, caption};
-    SDL_Rect picture = picture_units(window);
-    GuiPoint point = {(float)(picture.x + (pixel->x + 0.5) / viewport->width * picture.w),
-                      (float)(picture.y + (pixel->y + 0.5) / viewport->height * picture.h)};
+    const GuiPoint point = window_pixel_place(window, pixel);
     gui_ring(point, MAGNIFIED_RADIUS * gui_text_size());
-    char text[READOUT_SIZE];
-    pixel_readout_write(&readout, text);
-    SDL_Rect area = window_to_units(window, window_area(window));
-    gui_pixels(&pixels, point, (float)area.y, (float)(area.y + area.h) - gui_readout_height(text));
+    const GuiRect area = window_area_beside_readout(window, window_area_units(window));
+    gui_pixels(&pixels, point, area.y, area.y + area.height);
 }
 
-void window_follow_mouse(Window *window) {
-    PixelPosition mouse;
-    const Viewport *viewport = &window->viewports[0];
-    bool is_there = pixel_under_mouse(window, &mouse);
-    magnifier_follow(&window->magnifier, is_there ? &mouse : NULL, SDL_max(1, viewport->width),
-                     SDL_max(1, viewport->height));
-}
-
-float window_show_readout(const Window *window) {
-    PixelReadout readout;
-    char text[READOUT_SIZE];
-    GuiRect area = window_area_units(window);
-    const float bottom = area.y + area.height;
-    if (!write_readout(window, &readout, text)) {
-        return bottom;
-    }
-    size_t side = is_right_side(window, readout.x) ? 1 : 0;
-    gui_readout("readout", text, readout.readings[side].rgb, (GuiPoint){area.x, bottom});
-    return bottom - gui_readout_height(text);
-}
-
-/** Shows the chart of settings, if it is open. @param readout_height Room that the readout takes
- *  below it, screen units. */
-static void show_chart(const Window *window, float readout_height) {
+/** Shows the chart of settings, if it is open. */
+static void show_chart(const Window *window) {
     if (window->settings_chart.is_open) {
         SDL_Rect area = area_beside_inspector(window);
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
-        area.h = SDL_max(1, area.h - (int)ceilf(readout_height));
+        const GuiRect free = window_area_beside_readout(
+            window, (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h});
+        area.y = (int)ceilf(free.y);
+        area.h = SDL_max(1, (int)floorf(free.height));
         settings_chart_panel_show(&window->settings_chart, &window->viewports[active], &area);
     }
 }
 
 void window_show_values(Window *window) {
     memset(window->legend_rects, 0, sizeof window->legend_rects);
-    if (is_picture_shown(window)) {
-        PixelReadout readout;
-        char text[READOUT_SIZE];
-        float readout_height = write_readout(window, &readout, text) ? gui_readout_height(text) : 0;
+    if (window_picture_is_shown(window)) {
         show_all_rings(window);
-        show_legends(window, readout_height);
+        show_legends(window);
         show_magnifier(window);
-        show_chart(window, readout_height);
+        show_chart(window);
     }
 }

@@ -167,15 +167,20 @@ static void show_layer_name(const Window *window, GuiRect *area) {
  * panels.
  *  @return Where what lies at its lower edge begins. */
 static float show_over_picture(Window *window, GuiRect area) {
-    area.height = SDL_max(1, area.height - gui_readout_height(""));
+    const GuiPoint corner = {area.x, area.y + area.height};
+    area.height = SDL_max(1, area.height - gui_readout_rect("", corner, GUI_ABOVE).height);
     show_light_marks(window);
     show_object_inspector(window);
     window_follow_mouse(window);
-    GuiRect above_message = area;
-    above_message.height = SDL_max(1, area.height - window_messages_height(window));
+    window_read_pixel(window);
+    const Readout *readout = &window->readout;
+    const bool is_low = readout->is_shown && !readout->is_above;
+    const float readout_top = is_low ? readout->rect.y : area.y + area.height;
+    GuiRect above_message = readout->is_above ? window_area_beside_readout(window, area) : area;
+    above_message.height = SDL_max(1, above_message.height - window_messages_height(window));
     window_show_huds(window, &above_message);
     window_show_values(window);
-    const float readout_top = window_show_readout(window);
+    window_show_readout(window);
     show_rays(window);
     window_show_progress(window);
     show_lesson_panel(window);
@@ -196,7 +201,9 @@ void window_show_widgets(Window *window) {
     float bottom = area.y + area.height;
     window->light_marks.count = 0;
     if (window->help.is_open || window->browser.is_open) {
-        gui_take_keyboard(window->gui); // They have keys of their own.
+        gui_take_keyboard(window->gui);           // They have keys of their own.
+        area = window_whole_below_button(window); // The words of a lesson are not shown meanwhile.
+        bottom = area.y + area.height;
     }
     if (window->help.is_open) {
         show_help(window, &area);
@@ -222,6 +229,7 @@ void window_show_panels_alone(Window *window) {
     }
     GuiRect area = window_area_units(window);
     gui_begin_frame(window->gui, window_text_size(window));
+    window_read_pixel(window);
     window_show_huds(window, &area);
     window_show_values(window);
     show_rays(window);

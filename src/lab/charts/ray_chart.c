@@ -351,7 +351,7 @@ bool ray_chart_write(const RayChart *chart, const char *path, Error *error) {
     CutAway cut = {0};
     cut_away_begin(&cut, chart->scene, chart->probe);
     OrbitCamera orbit =
-        orbit_camera_fit(chart->renderer, chart->scene, &cut, chart->probe, WIDTH, HEIGHT);
+        orbit_camera_fit(chart->renderer, chart->scene, &cut, chart->probe, 0, WIDTH, HEIGHT);
     ProjectedView view = orbit_camera_project(&orbit, WIDTH, HEIGHT);
     cut_away_update(&cut, chart->renderer, chart->scene, chart->probe, view.camera.position);
     const Scene left = cut_away_scene(&cut, chart->scene);

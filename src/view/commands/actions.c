@@ -254,9 +254,6 @@ void action_take_keyboard(App *app, int argument) {
 void action_take_toolbar(App *app, int argument) {
     (void)argument;
     Window *window = &app->window;
-    if (window->is_presenting) {
-        action_toggle_presentation(app, 0);
-    }
     if (window->toolbar.is_folded) {
         window_toggle_toolbar(window);
     }

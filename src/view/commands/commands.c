@@ -31,6 +31,8 @@
 #define NO_KEY(name_)                                                                              \
     { .label = name_ }
 
+/** Heading of the help: what else can be seen. */
+#define SCENES .group = N_("Scenes and lessons")
 /** Heading of the help: keys of the lights. */
 #define LIGHT .group = N_("Light")
 /** Heading of the help: keys of the camera. */
@@ -69,6 +71,10 @@
 
 // clang-format off
 const Command command_table[] = {
+    {"scenes", {KEY(f)}, N_("scenes"), SCENES, .help = N_("all scenes and lessons: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(action_browse_scenes, 0)},
+    {"record", {KEY(r)}, N_("record"), SCENES, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(action_toggle_recording, 0)},
+    {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), SCENES, .help = N_("type words for the lesson recorded"), .flags = COMMAND_UNRECORDED, RUNS(action_begin_caption, 0)},
+
     {"light up", {PLACE(W, z)}, N_("up"), LIGHT, .help = N_("lamp up, down"), MOVES(LIGHT, UP, 1)},
     {"light down", {PLACE(S, s)}, N_("down"), LIGHT, .help = N_("lamp up, down"), MOVES(LIGHT, UP, -1)},
     {"light left", {PLACE(A, q)}, N_("left"), LIGHT, .help = N_("lamp left, right"), MOVES(LIGHT, RIGHT, -1)},
@@ -179,9 +185,6 @@ const Command command_table[] = {
      .flags = COMMAND_WHILE_PLAYING | COMMAND_REPEATS, RUNS(action_scale_text, -1)},
     {"language", {KEY(l)}, "en / fr", PROGRAM, .help = N_("English, français"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_switch_language, 0)},
-    {"scenes", {KEY(f)}, N_("scenes"), PROGRAM, .help = N_("other scenes: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(action_browse_scenes, 0)},
-    {"record", {KEY(r)}, N_("record"), PROGRAM, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(action_toggle_recording, 0)},
-    {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), PROGRAM, .help = N_("type words for the lesson recorded"), .flags = COMMAND_UNRECORDED, RUNS(action_begin_caption, 0)},
     {"help", {KEY(F1), KEY(h), NO_KEY("?")}, N_("help"), PROGRAM, .help = N_("this help: all keys"), .flags = COMMAND_WHILE_PLAYING, RUNS(action_toggle_help, 0)},
     {"toolbar", {KEY(F2)}, N_("tools"), PROGRAM, .help = N_("show or hide the toolbar"),
      .flags = COMMAND_UNRECORDED | COMMAND_WHILE_PLAYING, RUNS(action_toggle_toolbar, 0)},

@@ -4,6 +4,7 @@
  */
 #include "view/commands/actions.h"
 #include "view/commands/commands.h"
+#include "view/commands/leaving.h"
 #include "view/commands/recorder.h"
 
 void command_run(App *app, const Command *command) {
@@ -39,6 +40,7 @@ void command_issue(App *app, const Command *command, double time) {
     if (command_is(command, "rays") && show_named_rays(app)) {
         return;
     }
+    leaving_withdraw(app, command);
     recorder_on_command(app, command, time);
     if (!command_is_move(command)) {
         command_run(app, command);

@@ -10,28 +10,28 @@
 #include "view/commands/edits.h"
 #include "view/state/way_out.h"
 
-/** Seconds in which leaving again loses what the question is about. */
-static const double CONFIRMATION_SECONDS = 4;
-
 /* --- the question ----------------------------------------------------------------------------- */
 
 /** @return What leaving would lose, and how to leave nevertheless, in English; NULL: nothing. */
 static const char *leaving_question(const App *app) {
     if (app_is_playing(app)) {
-        return N_("a lesson plays: leave again to end it");
+        return N_("a lesson plays: leave again to end it, or press another key to stay");
     }
     if (app_is_recording(app)) {
-        return N_("a lesson is recorded: leave again to end it");
+        return N_("a lesson is recorded: leave again to end it, or press another key to stay");
     }
     bool is_changed = edit_history_in_force(&app->edits) > 0;
-    return is_changed ? N_("objects were changed: press again to leave without saving them") : NULL;
+    return is_changed
+               ? N_("objects were changed: leave again to lose them, or press another key to "
+                    "stay")
+               : NULL;
 }
 
 /** @return Whether leaving again loses what was asked about: the question is still shown, and would
  *  be asked now. See #StatusHoldsFn. */
 static bool is_asked(const App *app) {
-    return app->title.holds == is_asked && app->exit.question == leaving_question(app) &&
-           clock_now_seconds() < app->exit.confirmation_end;
+    return app->title.holds == is_asked && app->exit.question &&
+           app->exit.question == leaving_question(app);
 }
 
 void leaving_request(App *app) {
@@ -41,12 +41,19 @@ void leaving_request(App *app) {
     }
     if (leaving_question(app) && !is_asked(app)) {
         app->exit.question = leaving_question(app);
-        app->exit.confirmation_end = clock_now_seconds() + CONFIRMATION_SECONDS;
         app_set_status_while(app, is_asked, app->exit.question);
+        // It stays until it is answered: who looks away for a while finds it still there.
+        window_keep_toast(&app->window);
         return;
     }
     app->player.is_leaving = app_is_playing(app);
     app->exit.is_requested = !app->player.is_leaving;
+}
+
+void leaving_withdraw(App *app, const Command *command) {
+    if (!command_is(command, "leave") && !command_is(command, "quit")) {
+        app->exit.question = NULL;
+    }
 }
 
 /* --- the commands ----------------------------------------------------------------------------- */

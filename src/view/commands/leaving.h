@@ -11,4 +11,8 @@
  *  asked for a second time. */
 void leaving_request(App *app);
 
+/** The user goes on instead of answering whether to leave: the question is taken back, unless the
+ *  command is one that leaves. @param command What is done now; NULL: nothing that has a name. */
+void leaving_withdraw(App *app, const Command *command);
+
 #endif

@@ -80,6 +80,11 @@ bool gui_close_list(Gui *gui);
 /** @return Whether the interface must be drawn again, as an event may have changed it. */
 bool gui_needs_frame(const Gui *gui);
 
+/** @return Seconds until the interface changes by itself, as a tooltip comes; infinite: it does
+ * not.
+ *  @param gui The interface, or NULL. */
+double gui_timeout(const Gui *gui, double now);
+
 /** Begins a frame. @param text_size Height of the letters, pixels of the window. */
 void gui_begin_frame(Gui *gui, float text_size);
 
@@ -126,7 +131,7 @@ typedef enum {
     GUI_COLOR_HEADING,                    /**< Headings. */
     GUI_COLOR_ERROR,                      /**< Errors. */
     GUI_COLOR_GROUP,                      /**< The first group of commands; the others follow. */
-    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 8 /**< Number of colours. */
+    GUI_COLOR_COUNT = GUI_COLOR_GROUP + 9 /**< Number of colours. */
 } GuiColor;
 
 /** @return The colour of a group of commands. @param group From 1; beyond the last it begins anew.
@@ -227,15 +232,21 @@ void gui_gallery_begin(const char *id, const GuiRect *room);
 typedef struct GuiThumbnail {
     SDL_Texture *texture; /**< The picture; NULL: none yet. */
     const char *name;     /**< Name below it. */
-    const char *message;  /**< Text in place of the picture; NULL: none. */
-    GuiColor color;       /**< Colour of that text. */
-    bool is_selected;     /**< Whether it is selected. */
-    bool scrolls_to_it;   /**< Whether the panel scrolls to it. */
+    float
+        name_height; /**< Room for the name: the largest #gui_thumbnail_name_height of its line. */
+    const char *message; /**< Text in place of the picture; NULL: none. */
+    GuiColor color;      /**< Colour of that text. */
+    bool is_selected;    /**< Whether it is selected. */
+    bool scrolls_to_it;  /**< Whether the panel scrolls to it. */
 } GuiThumbnail;
 
 /** @return Width of a thumbnail when as many as fit stand side by side in a panel. @param[out]
  *  columns How many that are. */
 float gui_thumbnail_width(int *columns);
+
+/** @return Height of the name of a thumbnail: two lines of text, or up to four that it needs.
+ * @param width Width of the thumbnail. */
+float gui_thumbnail_name_height(const char *name, float width);
 
 /** Draws a picture of a list. @param column Its column; 0 begins a new line. @param[out] is_seen
  *  Whether any part of it is in sight. */
@@ -254,6 +265,10 @@ float gui_bar_end(void);
 /** A button. @param is_on Whether it shows what is on. @return Whether it was clicked. */
 bool gui_button(const char *label, const char *tooltip, bool is_on);
 
+/** A button whose words say what it would do now, as wide as the wider ones: the bar stays still.
+ *  @param labels Its words while it is off, and while it is on. @return Whether it was clicked. */
+bool gui_toggle(const char *const labels[2], const char *tooltip, bool is_on);
+
 /**
  * A list of which one entry is chosen.
  * @param id        Unique to this list in its bar; not shown.
@@ -265,9 +280,15 @@ bool gui_button(const char *label, const char *tooltip, bool is_on);
 int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
                int selected, const char *tooltip);
 
-/** A button that opens a menu. @param entries What can be chosen. @return The index that the user
- *  has chosen now; -1: none. */
-int gui_menu(const char *label, const char *tooltip, const char *const *entries, int count);
+/** A button that opens a menu. @return Whether it is open: its entries follow, then #gui_menu_end.
+ */
+bool gui_menu_begin(const char *label, const char *tooltip);
+
+/** An entry of the menu. @return Whether it was clicked. */
+bool gui_menu_entry(const char *text);
+
+/** Ends the menu that is open. */
+void gui_menu_end(void);
 
 /** A number with a button on each side. @param widest The widest text that keys give it, so that
  * the bar does not move. @return -1 or 1: the user wants less or more; else 0. */
@@ -299,12 +320,14 @@ void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side)
 /** @return Width and height of what #gui_message shows. */
 GuiPoint gui_message_size(const char *text);
 
-/** @return The height of what #gui_readout shows at the left edge. */
-float gui_readout_height(const char *text);
+/** @return Where #gui_readout lies. @param corner Its lower left corner, or its upper one. @param
+ *  side Whether it lies above that corner, or below it. */
+GuiRect gui_readout_rect(const char *text, GuiPoint corner, GuiSide side);
 
 /** Shows a colour and a text beside it, in lines as wide as the window. @param id Unique to it; not
- *  shown. @param rgb The colour, sRGB. @param corner The lower left corner. */
-void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner);
+ *  shown. @param rgb The colour, sRGB. @param corner See #gui_readout_rect. */
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner,
+                 GuiSide side);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
 void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
@@ -398,7 +421,8 @@ typedef struct GuiLegend {
 typedef struct GuiLegendPlace {
     GuiPoint corner;      /**< Its lower corner, on the side that #is_right says. */
     float highest;        /**< Largest height, pixels of the window: the bar shrinks. */
-    float widest;         /**< Largest width: words are broken into lines. */
+    float usual;          /**< Width to which words are broken into lines, where they fit. */
+    float widest;         /**< Largest width. */
     bool is_right;        /**< Whether the corner is the right one. */
     const GuiRect *taken; /**< Panels that it must not touch: they were asked for. */
     int taken_count;      /**< Number of them. */
@@ -549,10 +573,10 @@ bool gui_edit_slider(const char *label, double *number, double low, double high,
                      const char *tooltip);
 
 /** A colour: its brightness, which is its largest channel, and a picker. @param[in,out] rgb Linear
- *  light. @param high Largest value of a channel. @param channels Words for red, green and blue,
- *  which are numbers below the picker, as keys do not reach its square. @return Whether the user
- *  has changed it. */
-bool gui_edit_color(const char *label, double rgb[3], double high, const char *const channels[3],
+ *  light. @param high Largest value of a channel. @param words For hue, saturation, value, red,
+ * green and blue, which are numbers below the picker, as keys do not reach its square. @return
+ * Whether the user has changed it. */
+bool gui_edit_color(const char *label, double rgb[3], double high, const char *const words[6],
                     const char *tooltip);
 
 /** A check box. @return Whether the user has changed it. */

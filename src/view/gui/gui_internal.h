@@ -19,6 +19,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+/** Frames that are drawn after an event: Dear ImGui reacts to a click one frame later. */
+constexpr int FRAMES_PER_EVENT = 3;
 /** Padding of widgets and panels, in heights of letters: 8 pixels in letters of 20. */
 constexpr float PADDING = 0.4F;
 /** Radius of rounded corners, in heights of letters. */
@@ -30,10 +32,10 @@ constexpr ImGuiWindowFlags PANEL_FLAGS = ImGuiWindowFlags_NoTitleBar | ImGuiWind
 /** The palette, by #GuiColor. Groups are distinct for colour-blind viewers too. */
 constexpr ImU32 PALETTE[GUI_COLOR_COUNT] = {
     IM_COL32(240, 240, 240, 255), IM_COL32(150, 156, 170, 255), IM_COL32(255, 205, 90, 255),
-    IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(255, 205, 90, 255),
-    IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),  IM_COL32(255, 145, 110, 255),
-    IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255), IM_COL32(165, 155, 255, 255),
-    IM_COL32(215, 225, 120, 255)};
+    IM_COL32(150, 200, 255, 255), IM_COL32(255, 160, 130, 255), IM_COL32(220, 178, 130, 255),
+    IM_COL32(255, 205, 90, 255),  IM_COL32(120, 190, 255, 255), IM_COL32(90, 215, 170, 255),
+    IM_COL32(255, 145, 110, 255), IM_COL32(205, 205, 215, 255), IM_COL32(225, 165, 215, 255),
+    IM_COL32(165, 155, 255, 255), IM_COL32(215, 225, 120, 255)};
 /** Colour of what is on, and of lights. */
 constexpr ImU32 ACCENT = PALETTE[GUI_COLOR_ACCENT];
 /** Colour of outlines on the picture: seen on light and dark ground. */
@@ -44,6 +46,25 @@ constexpr ImU32 TEXT = PALETTE[GUI_COLOR_TEXT];
 constexpr ImU32 HOVERED = IM_COL32(255, 255, 255, 36);
 /** Colour of the selected row. */
 constexpr ImU32 SELECTED = IM_COL32(255, 205, 90, 60);
+
+/** The colour in the picker, as hue, saturation and value. */
+struct PickedColor {
+    float encoded[3];  /**< The colour, with the curve of sRGB. */
+    double hue;        /**< Degrees, from red by yellow. */
+    double saturation; /**< 0: grey; 1: pure. */
+    double value;      /**< The largest channel, encoded. */
+};
+
+/** When tooltips may come: once the mouse has moved on after a click, and rests on a widget. */
+struct MouseRest {
+    ImVec2 place;     /**< Where the mouse is. */
+    double since;     /**< Since when, seconds. */
+    bool has_clicked; /**< Whether it has not moved on since a click. */
+    ImVec2 click;     /**< Where that was. */
+    ImRect silenced;  /**< The widget that was clicked, until the mouse leaves it. */
+    ImRect hinted;    /**< The widget whose tooltip is shown, until the mouse leaves it. */
+    double due_time;  /**< When a tooltip comes if the mouse stays, seconds; 0: none does. */
+};
 
 struct Gui {
     ImGuiContext *context;    /**< Dear ImGui's state; owned. */
@@ -67,7 +88,8 @@ struct Gui {
     bool takes_focus;         /**< Whether it takes the focus in the next frame. */
     bool closes_list;         /**< Whether the open list is closed in the next frame. */
     ImRect list_opener;       /**< The widget that has opened the list. */
-    ImRect silenced;          /**< The widget that was clicked, until the mouse leaves it. */
+    MouseRest rest;           /**< When tooltips may come. */
+    PickedColor picked;       /**< The colour in the picker. */
     bool has_whole_lines;     /**< Whether the present panel shows no part of a line. */
     bool records_texts;       /**< Whether #texts are recorded. */
     ImVector<GuiText> texts;  /**< The texts of the frame. */
@@ -76,7 +98,20 @@ struct Gui {
 /** @return The interface whose frame is drawn. */
 Gui *current_gui();
 
-/** Shows a tooltip while the mouse is on the last widget. */
+/** Handles an event of the keyboard. @return Whether it is for the interface alone. */
+bool handle_key_event(Gui *gui, const SDL_Event *event);
+
+/** Takes the keyboard from the panel that has it. */
+void take_keyboard(Gui *gui);
+
+/** Asks the system for letters while a number is typed, and only then: else a key that moves things
+ *  would open its list of accents. */
+void update_text_input(Gui *gui);
+
+/** Follows the mouse, at the beginning of a frame. */
+void follow_mouse_rest(MouseRest *rest);
+
+/** Shows a tooltip while the mouse rests on the last widget, or keys have chosen that. */
 void show_tooltip(const char *text);
 
 /** Records a text for tests. @param clip What is seen of its surroundings. */
@@ -167,12 +202,17 @@ struct NumberField {
  */
 bool edit_number(const char *id, double *number, const NumberField &field);
 
+/** @return Whether numbers that are typed have a sign: a point and a comma are both the decimal
+ * one.
+ */
+bool is_sign_of_number(ImWchar sign);
+
 /** Writes a label right of the last widget. */
 void put_label(const char *label);
 
-/** A button with a tooltip. @param is_marked Whether its words stand out. @return Whether it was
- *  clicked. */
-bool push_button(const char *label, const char *tooltip, bool is_marked);
+/** A button with a tooltip. @param is_marked Whether its words stand out. @param width Its width,
+ *  whose words may change; 0: that of its words. @return Whether it was clicked. */
+bool push_button(const char *label, const char *tooltip, bool is_marked, float width = 0);
 
 /** Draws a line with an outline. */
 void draw_outlined_line(ImDrawList *list, ImVec2 from, ImVec2 to, ImU32 color, float width);

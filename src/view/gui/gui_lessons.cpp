@@ -144,7 +144,7 @@ int gui_answers(const GuiAnswers *answers) {
         columns = answers->count <= 2 || answers->count == 4 ? 2 : 3;
     }
     float gaps = static_cast<float>(columns - 1) * style.ItemSpacing.x;
-    float width = (whole - gaps) / static_cast<float>(columns);
+    float width = fmaxf(1, (whole - gaps) / static_cast<float>(columns)); // Of a button, at least.
     for (int row = 0; row < answers->count; row += columns) {
         int end = row + columns < answers->count ? row + columns : answers->count;
         float height = 0;

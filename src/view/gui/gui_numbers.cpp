@@ -16,8 +16,6 @@ namespace {
 
 /** Bytes of a number with the final zero. */
 constexpr size_t NUMBER_SIZE = 64;
-/** The signs of numbers, but for the decimal one. */
-constexpr char NUMBER_SIGNS[] = "0123456789+-eE";
 
 /** @return The decimal sign of the language. */
 char decimal_sign() {
@@ -30,9 +28,8 @@ int filter_number(ImGuiInputTextCallbackData *data) {
     const ImWchar typed = data->EventChar;
     if (typed == '.' || typed == ',') {
         data->EventChar = static_cast<ImWchar>(decimal_sign());
-        return 0;
     }
-    return typed > 0 && typed < 128 && strchr(NUMBER_SIGNS, static_cast<int>(typed)) ? 0 : 1;
+    return is_sign_of_number(typed) ? 0 : 1;
 }
 
 /** Gives a text that is typed the decimal sign: Dear ImGui has begun it with a point. */
@@ -98,6 +95,10 @@ void draw_number(double number, const char *format, const ImRect &frame) {
 }
 
 } // namespace
+
+bool is_sign_of_number(ImWchar sign) {
+    return sign > 0 && sign < 128 && strchr("0123456789+-.,eE", static_cast<int>(sign));
+}
 
 bool edit_number(const char *id, double *number, const NumberField &field) {
     const ImGuiID item = ImGui::GetID(id);

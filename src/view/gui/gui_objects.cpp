@@ -18,106 +18,10 @@ constexpr float TITLE_BUTTONS = 2;
 constexpr float INSPECTOR_WIDGET_WIDTH = 7.7F;
 /** Opacity of the inspector: no outline is seen through its words. */
 constexpr float INSPECTOR_ALPHA = 0.97F;
-/** How much a pixel of a drag changes the brightness of a colour. */
-constexpr float COLOR_DRAG = 0.01F;
-/** The brightness of a colour, with a sun before it. */
-constexpr char BRIGHTNESS[] = "\xe2\x98\xbc %.3f";
-/** Width of the picker of colours, in heights of letters. */
-constexpr float PICKER_WIDTH = 8;
-/** Width of a number of red, green or blue below it, in heights of letters. */
-constexpr float CHANNEL_WIDTH = 5;
-/** Colours are rounded to this fraction of 1. */
-constexpr double COLOR_GRAINS = 10000;
 /** Bytes of the inspector's title with the final zero. */
 constexpr size_t INSPECTOR_TITLE_SIZE = 256;
 /** Length of an arrow to a light outside the picture, in heights of letters. */
 constexpr float ARROW_LENGTH = 1.2F;
-
-/** @return A channel encoded with the curve of sRGB, which goes on above 1. */
-double srgb_encode(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
-}
-
-/** @return A channel in linear light. */
-double srgb_decode(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-/** @return A channel rounded to a fraction of a step of 255: it is short in a file. */
-double round_color(double linear) {
-    return round(linear * COLOR_GRAINS) / COLOR_GRAINS;
-}
-
-/** @return A number from 0 on as a slider, or as one that is dragged if it may be above 1. */
-NumberField light_field(double high, const char *format) {
-    return NumberField{0, high, high <= 1 ? 0 : COLOR_DRAG, format, 0};
-}
-
-/** Shows red, green and blue as numbers, which keys reach. @param[in,out] rgb The colour, linear.
- *  @return Whether the user has changed it. */
-bool edit_channels(double rgb[3], double high, const char *const channels[3]) {
-    bool is_changed = false;
-    for (int i = 0; i < 3; i++) {
-        ImGui::PushID(i);
-        ImGui::SetNextItemWidth(CHANNEL_WIDTH * ImGui::GetFontSize());
-        if (edit_number("##channel", &rgb[i], light_field(high, "%.3f"))) {
-            rgb[i] = round_color(rgb[i]);
-            is_changed = true;
-        }
-        if (i == 0) {
-            ImGui::SetItemDefaultFocus();
-        }
-        put_label(channels[i]);
-        ImGui::PopID();
-    }
-    return is_changed;
-}
-
-/** Shows the picker: a square and a bar for the mouse. @param[in,out] rgb The colour, linear.
- *  @return Whether the user has changed it. */
-bool pick_hue(double rgb[3], double high) {
-    float encoded[3];
-    for (int i = 0; i < 3; i++) {
-        encoded[i] = static_cast<float>(srgb_encode(rgb[i]));
-    }
-    ImGui::SetNextItemWidth(PICKER_WIDTH * ImGui::GetFontSize());
-    bool is_picked = ImGui::ColorPicker3(
-        "##picker", encoded,
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
-            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoInputs |
-            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
-    for (int i = 0; is_picked && i < 3; i++) {
-        rgb[i] = fmin(fmax(round_color(srgb_decode(static_cast<double>(encoded[i]))), 0), high);
-    }
-    return is_picked;
-}
-
-/** Shows a colour as a square, which opens a picker with a button that closes it. @param[in,out]
- *  rgb The colour, linear. @param channels See #gui_edit_color. @return Whether the user has
- *  changed it. */
-bool pick_color(double rgb[3], double high, float side, const char *const channels[3]) {
-    const ImVec4 shown(static_cast<float>(srgb_encode(rgb[0])),
-                       static_cast<float>(srgb_encode(rgb[1])),
-                       static_cast<float>(srgb_encode(rgb[2])), 1);
-    bool is_picked = false;
-    if (ImGui::ColorButton("##color", shown,
-                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
-                           ImVec2(side, side))) {
-        ImGui::OpenPopup("picker");
-    }
-    if (ImGui::IsPopupOpen("picker")) {
-        note_open_list(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
-    }
-    if (ImGui::BeginPopup("picker")) {
-        is_picked = pick_hue(rgb, high);
-        is_picked = edit_channels(rgb, high, channels) || is_picked;
-        if (ImGui::Button("OK")) {
-            ImGui::CloseCurrentPopup();
-        }
-        ImGui::EndPopup();
-    }
-    return is_picked;
-}
 
 /** @return Whether a panel of the last frame lies on a part of the window. */
 bool is_covered(const ImRect &rect) {
@@ -260,26 +164,6 @@ bool gui_inspector_button(const char *label, const char *tooltip, bool is_enable
         place_in_bar(button_width(label));
     }
     return gui_step_button(label, tooltip, is_enabled, false);
-}
-
-bool gui_edit_color(const char *label, double rgb[3], double high, const char *const channels[3],
-                    const char *tooltip) {
-    const float swatch = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const double largest = fmax(rgb[0], fmax(rgb[1], rgb[2]));
-    double brightness = largest;
-    ImGui::PushID(label);
-    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - swatch - gap);
-    bool is_scaled = edit_number("##brightness", &brightness, light_field(high, BRIGHTNESS));
-    for (int i = 0; is_scaled && i < 3; i++) {
-        rgb[i] = round_color(largest > 0 ? rgb[i] / largest * brightness : brightness);
-    }
-    show_tooltip(tooltip);
-    ImGui::SameLine(0, gap);
-    bool is_picked = pick_color(rgb, high, swatch, channels);
-    show_tooltip(tooltip);
-    put_label(label);
-    ImGui::PopID();
-    return is_scaled || is_picked;
 }
 
 bool gui_edit_check(const char *label, double *number, const char *tooltip) {

@@ -12,8 +12,8 @@ constexpr float PANEL_ALPHA = 0.95F;
 constexpr float THUMBNAIL_WIDTH = 8.5F;
 /** Height of a thumbnail, in widths. */
 constexpr float THUMBNAIL_RATIO = 0.75F;
-/** Most lines of a thumbnail's name. */
-constexpr int NAME_LINES = 2;
+/** Fewest and most lines of a thumbnail's name. */
+constexpr int NAME_LINES = 2, NAME_LINES_MAXIMUM = 4;
 /** Smallest letters on a key, fraction of the window's height, and pixels. */
 constexpr float KEY_TEXT_FRACTION = 1 / 30.0F;
 /** See KEY_TEXT_FRACTION. */
@@ -45,10 +45,9 @@ float thumbnail_picture_height(float width) {
     return roundf((width - 2 * pad) * THUMBNAIL_RATIO);
 }
 
-/** @return Height of a thumbnail with its name. */
-float thumbnail_height(float width) {
-    const float size = ImGui::GetFontSize();
-    return thumbnail_picture_height(width) + 3 * PADDING * size + NAME_LINES * size;
+/** @return Height of a thumbnail with its name. @param name Height of the name. */
+float thumbnail_height(float width, float name) {
+    return thumbnail_picture_height(width) + 3 * PADDING * ImGui::GetFontSize() + name;
 }
 
 /** Begins a panel. See #gui_panel_begin. */
@@ -61,11 +60,11 @@ void begin_panel(const char *id, const GuiRect *room, ImGuiWindowFlags flags) {
 }
 
 /** Draws the picture of a thumbnail, or its message, and its name. @param low Upper left corner. */
-void draw_thumbnail(const GuiThumbnail *thumbnail, ImVec2 low, float width, float picture_height,
-                    bool is_hovered) {
+void draw_thumbnail(const GuiThumbnail *thumbnail, ImVec2 low, float width, bool is_hovered) {
     const float size = ImGui::GetFontSize(), pad = PADDING * size;
+    const float picture_height = thumbnail_picture_height(width);
     ImDrawList *list = ImGui::GetWindowDrawList();
-    ImVec2 high(low.x + width, low.y + thumbnail_height(width));
+    ImVec2 high(low.x + width, low.y + thumbnail_height(width, thumbnail->name_height));
     ImVec2 first(low.x + pad, low.y + pad), last(high.x - pad, low.y + pad + picture_height);
     if (is_hovered || thumbnail->is_selected) {
         list->AddRectFilled(low, high, thumbnail->is_selected ? SELECTED : HOVERED,
@@ -142,7 +141,8 @@ void gui_gallery_begin(const char *id, const GuiRect *room) {
     if (wheel != 0 && ImGui::IsWindowHovered()) {
         int columns;
         const float width = gui_thumbnail_width(&columns);
-        const float line = thumbnail_height(width) + ImGui::GetStyle().ItemSpacing.y;
+        const float line = thumbnail_height(width, NAME_LINES * ImGui::GetFontSize()) +
+                           ImGui::GetStyle().ItemSpacing.y;
         ImGui::SetScrollY(fmaxf(0, ImGui::GetScrollY() - wheel * line));
     }
 }
@@ -228,13 +228,19 @@ float gui_thumbnail_width(int *columns) {
     const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     int fitting = static_cast<int>((width + gap) / (THUMBNAIL_WIDTH * ImGui::GetFontSize() + gap));
     *columns = fitting > 1 ? fitting : 1;
-    return floorf((width + gap) / static_cast<float>(*columns) - gap);
+    // A button has at least one pixel.
+    return fmaxf(1, floorf((width + gap) / static_cast<float>(*columns) - gap));
+}
+
+float gui_thumbnail_name_height(const char *name, float width) {
+    const float size = ImGui::GetFontSize();
+    const float height = text_extent(name, width - 2 * PADDING * size).y;
+    return fminf(fmaxf(height, NAME_LINES * size), NAME_LINES_MAXIMUM * size);
 }
 
 GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float width,
                        bool *is_seen) {
-    const float picture_height = thumbnail_picture_height(width);
-    const float height = thumbnail_height(width);
+    const float height = thumbnail_height(width, thumbnail->name_height);
     if (column > 0) {
         ImGui::SameLine();
     }
@@ -249,7 +255,7 @@ GuiMouse gui_thumbnail(int id, const GuiThumbnail *thumbnail, int column, float 
     }
     *is_seen = ImGui::IsItemVisible();
     if (*is_seen) {
-        draw_thumbnail(thumbnail, low, width, picture_height, is_hovered);
+        draw_thumbnail(thumbnail, low, width, is_hovered);
     }
     if (is_hovered) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

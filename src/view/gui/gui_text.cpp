@@ -4,10 +4,18 @@
  */
 #include "view/gui/gui_internal.h"
 
+extern "C" {
+#include "base/clock.h"
+}
+
 namespace {
 
 /** Size of very large letters, in heights of letters. */
 constexpr float TITLE_SIZE = 2.2F;
+/** Seconds that the mouse rests on a widget until its tooltip comes. */
+constexpr double REST_SECONDS = 0.35;
+/** Distance from a click from which the mouse has moved on, in heights of letters. */
+constexpr float MOVED_ON = 0.4F;
 /** Distance of a tooltip from its widget, in heights of letters. */
 constexpr float TOOLTIP_GAP = 0.25F;
 /** Widest line of a tooltip, in heights of letters. */
@@ -103,22 +111,56 @@ ImVec2 place_tooltip(ImVec2 whole, float room) {
     return at;
 }
 
-/** Notes the last widget, which is under the mouse, if it is clicked: until the mouse leaves it, it
- *  has no tooltip. Who clicks knows what it does, and looks at what it has done. */
-void silence_clicked_widget() {
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        current_gui()->silenced = ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+/** @return Whether the tooltip of the last widget, which is hovered, is to be shown: the mouse
+ * rests on it, and has not just clicked it, or what lay there before. Who clicks knows what a
+ * widget does, and looks at what it has done. */
+bool is_tooltip_due(MouseRest *rest) {
+    const ImRect widget(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const ImVec2 &mouse = ImGui::GetIO().MousePos;
+    if (ImGui::GetCurrentContext()->NavDisableMouseHover) {
+        return true; // Keys have chosen it.
     }
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        rest->silenced = widget;
+    }
+    if (rest->has_clicked || rest->silenced.Contains(mouse)) {
+        return false;
+    }
+    if (!rest->hinted.Contains(mouse) && clock_now_seconds() - rest->since < REST_SECONDS) {
+        rest->due_time = rest->since + REST_SECONDS;
+        return false;
+    }
+    if (!rest->hinted.Contains(mouse)) {
+        gui_request_frames(current_gui()); // The tooltip finds its size.
+    }
+    rest->hinted = widget;
+    return true;
 }
 
 } // namespace
 
-void show_tooltip(const char *text) {
-    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        return;
+void follow_mouse_rest(MouseRest *rest) {
+    const ImVec2 &mouse = ImGui::GetIO().MousePos;
+    const float moved_on = MOVED_ON * ImGui::GetFontSize();
+    if (mouse.x != rest->place.x || mouse.y != rest->place.y) {
+        rest->place = mouse;
+        rest->since = clock_now_seconds();
     }
-    silence_clicked_widget();
-    if (current_gui()->silenced.Contains(ImGui::GetIO().MousePos)) {
+    if (ImGui::IsAnyMouseDown()) {
+        rest->has_clicked = true;
+        rest->click = mouse;
+        rest->hinted = ImRect();
+    } else if (hypotf(mouse.x - rest->click.x, mouse.y - rest->click.y) > moved_on) {
+        rest->has_clicked = false;
+    }
+    rest->silenced = rest->silenced.Contains(mouse) ? rest->silenced : ImRect();
+    rest->hinted = rest->hinted.Contains(mouse) ? rest->hinted : ImRect();
+    rest->due_time = 0;
+}
+
+void show_tooltip(const char *text) {
+    if (!text || text[0] == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
+        !is_tooltip_due(&current_gui()->rest)) {
         return;
     }
     const ImVec2 pad = ImGui::GetStyle().WindowPadding;

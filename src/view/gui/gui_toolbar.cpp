@@ -13,6 +13,8 @@ constexpr float SLIDER_WIDTH = 6;
 constexpr float BAR_GAP = 0.2F;
 /** Space beside the words of such a widget, in heights of letters. */
 constexpr float BAR_PADDING = 0.3F;
+/** Bytes of a button's words with the final zero. */
+constexpr size_t BUTTON_SIZE = 256;
 /** Largest width of a menu, in heights of letters. */
 constexpr float MENU_WIDTH = 32;
 /** Opacity of the knob of a slider with a number on it, of 255. */
@@ -118,11 +120,13 @@ void note_open_list(const ImRect &opener) {
     current_gui()->list_opener = opener;
 }
 
-bool push_button(const char *label, const char *tooltip, bool is_marked) {
+bool push_button(const char *label, const char *tooltip, bool is_marked, float width) {
+    char text[BUTTON_SIZE];
+    snprintf(text, sizeof text, width > 0 ? "%s###toggle" : "%s", label);
     if (is_marked) {
         ImGui::PushStyleColor(ImGuiCol_Text, ACCENT);
     }
-    bool is_clicked = ImGui::Button(label);
+    bool is_clicked = ImGui::Button(text, ImVec2(width, 0));
     if (is_marked) {
         ImGui::PopStyleColor();
     }
@@ -164,6 +168,15 @@ bool gui_button(const char *label, const char *tooltip, bool is_on) {
     return push_button(label, tooltip, is_on);
 }
 
+bool gui_toggle(const char *const labels[2], const char *tooltip, bool is_on) {
+    const float width = fmaxf(button_width(labels[0]), button_width(labels[1]));
+    place_in_bar(width);
+    ImGui::PushID(labels[0]); // Keys that have chosen it keep it.
+    const bool is_clicked = push_button(labels[is_on ? 1 : 0], tooltip, is_on, width);
+    ImGui::PopID();
+    return is_clicked;
+}
+
 int gui_choice(const char *id, const char *const *names, const char *const *explained, int count,
                int selected, const char *tooltip) {
     const char *shown = selected >= 0 && selected < count ? names[selected] : "";
@@ -196,16 +209,17 @@ int gui_choice(const char *id, const char *const *names, const char *const *expl
     return chosen;
 }
 
-int gui_menu(const char *label, const char *tooltip, const char *const *entries, int count) {
-    int chosen = -1;
+bool gui_menu_begin(const char *label, const char *tooltip) {
     place_in_bar(button_width(label));
-    if (begin_menu(label, tooltip, true)) {
-        for (int i = 0; i < count; i++) {
-            chosen = ImGui::Selectable(entries[i]) ? i : chosen;
-        }
-        ImGui::EndPopup();
-    }
-    return chosen;
+    return begin_menu(label, tooltip, true);
+}
+
+bool gui_menu_entry(const char *text) {
+    return ImGui::Selectable(text);
+}
+
+void gui_menu_end() {
+    ImGui::EndPopup();
 }
 
 int gui_stepper(const char *id, const char *text, const char *widest, const char *tooltip) {

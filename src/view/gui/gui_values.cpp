@@ -23,7 +23,8 @@ struct LegendLayout {
     float bar;    /**< Height of the bar; 0: none. */
     float apart;  /**< Height of the colours that are not on the bar. */
     float notes;  /**< Height of the notes. */
-    bool fits;    /**< Whether no word is wider than its line. */
+    ImVec2 whole; /**< Width and height with the edges. */
+    bool fits;    /**< Whether no word is wider than its line, and it is not too high. */
 };
 
 /** @return The height of a text of a legend. @param width Width of its lines. */
@@ -46,15 +47,15 @@ float legend_width(const GuiLegend *legend, float swatch, float line) {
     return ceilf(width);
 }
 
-/** @return The layout of a legend. */
-LegendLayout legend_layout(const GuiLegend *legend, const GuiLegendPlace *place) {
+/** @return The layout of a legend. @param widest Its largest width. */
+LegendLayout legend_layout(const GuiLegend *legend, const GuiLegendPlace *place, float widest) {
     LegendLayout layout = {};
     layout.fits = true;
     layout.line = ImGui::GetFontSize();
     layout.gap = PADDING * layout.line;
     layout.swatch = 2 * layout.line + layout.gap;
     layout.width = fminf(legend_width(legend, layout.swatch, layout.line),
-                         fmaxf(place->widest - 2 * layout.gap, 2 * layout.swatch));
+                         fmaxf(widest - 2 * layout.gap, 2 * layout.swatch));
     layout.head = add_words(&layout, legend->title, layout.width);
     layout.head += legend->unit[0] != '\0' ? add_words(&layout, legend->unit, layout.width) : 0;
     for (int i = 0; i < legend->swatch_count; i++) {
@@ -69,6 +70,9 @@ LegendLayout legend_layout(const GuiLegend *legend, const GuiLegendPlace *place)
         float rest = place->highest - layout.head - layout.apart - layout.notes - 5 * layout.gap;
         layout.bar = fmaxf(fminf(LEGEND_BAR_LINES * layout.line, rest), 2 * layout.line);
     }
+    layout.whole = ImVec2(layout.width + 2 * layout.gap,
+                          layout.head + layout.bar + layout.apart + layout.notes + 4 * layout.gap);
+    layout.fits = layout.fits && layout.whole.y <= place->highest;
     return layout;
 }
 
@@ -159,58 +163,72 @@ bool is_taken(const GuiLegendPlace *place, const ImRect &rect) {
 constexpr float READOUT_WIDTH_MINIMUM = 10;
 
 /** @return The width of the text of a readout. @param[in,out] left Its left end; it becomes that
- *  right of the inspector if this lies at the left. */
-float readout_width(float *left) {
+ *  right of the inspector if this lies at the left. @param top Upper end of its first line. */
+float readout_width(float *left, float top) {
     const Gui *gui = current_gui();
     const ImRect &inspector = gui->inspector;
     const float size = ImGui::GetFontSize(), gap = PADDING * size;
-    const ImVec2 &display = ImGui::GetIO().DisplaySize;
-    float right = display.x;
-    bool is_low = gui->is_inspecting && inspector.Max.y > display.y - size - 2 * gap;
-    if (is_low && inspector.Min.x > *left + READOUT_WIDTH_MINIMUM * size) {
+    float right = ImGui::GetIO().DisplaySize.x;
+    const bool is_beside =
+        gui->is_inspecting && inspector.Min.y < top + size + 2 * gap && inspector.Max.y > top;
+    if (is_beside && inspector.Min.x > *left + READOUT_WIDTH_MINIMUM * size) {
         right = inspector.Min.x;
-    } else if (is_low && inspector.Max.x + READOUT_WIDTH_MINIMUM * size < display.x) {
+    } else if (is_beside && inspector.Max.x + READOUT_WIDTH_MINIMUM * size < right) {
         *left = fmaxf(*left, inspector.Max.x);
     }
     return right - *left - 2 * size - 3 * gap;
+}
+
+/** @return Where a readout lies. See #gui_readout_rect. @param[out] width Width of its lines. */
+ImRect place_readout(const char *text, GuiPoint corner, GuiSide side, float *width) {
+    const float size = ImGui::GetFontSize(), gap = PADDING * size;
+    const float line = size + 2 * gap, top = side == GUI_ABOVE ? corner.y - line : corner.y;
+    *width = readout_width(&corner.x, top);
+    const ImVec2 extent = text_extent(text, *width);
+    const float height = extent.y + 2 * gap;
+    const ImVec2 low(corner.x, side == GUI_ABOVE ? corner.y - height : corner.y);
+    return ImRect(low, ImVec2(low.x + extent.x + 2 * size + 3 * gap, low.y + height));
 }
 
 } // namespace
 
 extern "C" {
 
-float gui_readout_height(const char *text) {
-    float left = 0;
-    return text_extent(text, readout_width(&left)).y + 2 * PADDING * ImGui::GetFontSize();
+GuiRect gui_readout_rect(const char *text, GuiPoint corner, GuiSide side) {
+    float width;
+    const ImRect rect = place_readout(text, corner, side, &width);
+    return GuiRect{rect.Min.x, rect.Min.y, rect.GetWidth(), rect.GetHeight()};
 }
 
-void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner) {
-    float size = ImGui::GetFontSize(), gap = PADDING * size;
-    float widest = readout_width(&corner.x);
-    ImVec2 area = text_extent(text, widest);
-    ImVec2 low(corner.x, corner.y - area.y - 2 * gap);
-    ImVec2 high(corner.x + area.x + 2 * size + 3 * gap, corner.y);
-    ImDrawList *list = begin_value(id, low, high);
-    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg));
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner,
+                 GuiSide side) {
+    const float size = ImGui::GetFontSize(), gap = PADDING * size;
+    float width;
+    const ImRect rect = place_readout(text, corner, side, &width);
+    const ImVec2 &low = rect.Min;
+    ImDrawList *list = begin_value(id, low, rect.Max);
+    list->AddRectFilled(low, rect.Max, ImGui::GetColorU32(ImGuiCol_WindowBg));
     list->AddRectFilled(ImVec2(low.x + gap, low.y + gap),
-                        ImVec2(low.x + gap + 2 * size, high.y - gap),
+                        ImVec2(low.x + gap + 2 * size, rect.Max.y - gap),
                         IM_COL32(rgb[0], rgb[1], rgb[2], 255));
-    put_text(list, ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), widest, TEXT, text);
+    put_text(list, ImVec2(low.x + 2 * size + 2 * gap, low.y + gap), width, TEXT, text);
     end_value(list);
 }
 
 GuiRect gui_legend(const char *id, const GuiLegend *legend, const GuiLegendPlace *place) {
-    LegendLayout layout = legend_layout(legend, place);
-    float height = layout.head + layout.bar + layout.apart + layout.notes + 4 * layout.gap;
-    float width = layout.width + 2 * layout.gap;
+    LegendLayout layout = legend_layout(legend, place, fminf(place->usual, place->widest));
+    if (!layout.fits) {
+        layout = legend_layout(legend, place, place->widest);
+    }
+    const ImVec2 &whole = layout.whole;
     const GuiPoint &corner = place->corner;
-    ImVec2 low(place->is_right ? corner.x - width : corner.x, corner.y - height);
-    const ImRect rect(low, ImVec2(low.x + width, corner.y));
-    if (!layout.fits || height > place->highest || is_taken(place, rect)) {
+    ImVec2 low(place->is_right ? corner.x - whole.x : corner.x, corner.y - whole.y);
+    const ImRect rect(low, ImVec2(low.x + whole.x, corner.y));
+    if (!layout.fits || is_taken(place, rect)) {
         return GuiRect{corner.x, corner.y, 0, 0};
     }
     draw_legend(id, legend, layout, rect);
-    return GuiRect{low.x, low.y, width, height};
+    return GuiRect{low.x, low.y, whole.x, whole.y};
 }
 
 void gui_ring(GuiPoint center, float radius) {

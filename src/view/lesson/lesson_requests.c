@@ -12,11 +12,6 @@
 
 /* --- steps back and on ------------------------------------------------------------------------ */
 
-/** @return Whether a step is a stop: a caption, a question, an explanation. */
-static bool is_stop(const LessonStep *step) {
-    return step->kind == LESSON_CAPTION || step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
-}
-
 /** Goes to a stop: repeats everything from the beginning, or goes on at once. @param stop Index of
  *  the step; the number of steps: the end. */
 static void go_to(App *app, size_t stop) {
@@ -37,7 +32,7 @@ static void step_back(App *app) {
     size_t stop = player->stop < player->lesson->count ? player->stop : 0;
     bool is_passed = player->state == PLAYER_RUNS || player->state == PLAYER_IS_FINISHED;
     for (size_t i = stop + is_passed; i-- > 0;) {
-        if (is_stop(&player->lesson->steps[i])) {
+        if (player_is_stop(&player->lesson->steps[i])) {
             stop = i;
             break;
         }
@@ -47,12 +42,7 @@ static void step_back(App *app) {
 
 /** Goes to the next stop at once. */
 static void step_on(App *app) {
-    const Player *player = &app->player;
-    size_t stop = player->next_step;
-    while (stop < player->lesson->count && !is_stop(&player->lesson->steps[stop])) {
-        stop++;
-    }
-    go_to(app, stop);
+    go_to(app, player_next_stop(&app->player));
 }
 
 /** Plays the same lesson once more. */
@@ -73,10 +63,13 @@ static void open_next(App *app) {
     }
 }
 
-/** Lets the lesson go on, or stops it. */
+/** Lets the lesson go on, or stops it; after an answer, shows at once whether it is right: a class
+ *  that has answered waits for that, and not for a picture that stands still. */
 static void toggle_waiting(App *app) {
     if (app->player.state == PLAYER_WAITS) {
         player_resume(app);
+    } else if (player_is_before_verdict(&app->player)) {
+        step_on(app);
     } else if (app->player.state == PLAYER_RUNS) {
         player_stop(app, PLAYER_WAITS);
     }
@@ -151,6 +144,9 @@ void player_handle_request(App *app) {
     if (request.kind == LESSON_REQUEST_NONE || !app->player.lesson) {
         return;
     }
+    if (request.kind != LESSON_REQUEST_CLOSE) {
+        leaving_withdraw(app, NULL);
+    }
     if (app->player.state == PLAYER_IS_FINISHED) {
         handle_card_request(app, request.kind);
     } else {
@@ -176,6 +172,7 @@ bool player_handle_digit(App *app, SDL_Scancode key) {
     if (digit == 0 || !app->player.lesson) {
         return false;
     }
+    leaving_withdraw(app, NULL);
     if (app->player.state == PLAYER_ASKS) {
         player_answer(app, digit);
         return true;
@@ -229,6 +226,11 @@ static bool is_asking(const App *app) {
     return app->player.state == PLAYER_ASKS;
 }
 
+/** @return Whether it still runs to where a question is answered. */
+static bool is_before_verdict(const App *app) {
+    return is_running(app) && player_is_before_verdict(&app->player);
+}
+
 /** Says what the viewer can do instead of a command. */
 static void show_refusal(App *app) {
     static const struct {
@@ -238,7 +240,10 @@ static void show_refusal(App *app) {
         [PLAYER_RUNS] = {is_running, N_("a lesson is played: Space holds it")},
         [PLAYER_WAITS] = {is_held, N_("a lesson is held: Space goes on")},
         [PLAYER_ASKS] = {is_asking, N_("a lesson asks: click your answer, or press its number")}};
-    if (app->player.state <= PLAYER_ASKS) {
+    if (is_before_verdict(app)) {
+        app_set_status_while(app, is_before_verdict,
+                             N_("a lesson shows what it asked about: Space goes to the answer"));
+    } else if (app->player.state <= PLAYER_ASKS) {
         app_set_status_while(app, refusals[app->player.state].holds,
                              refusals[app->player.state].text);
     }
@@ -248,6 +253,9 @@ bool player_handle_command(App *app, const Command *command) {
     unsigned flags = command ? command->flags : 0;
     if (!app->player.lesson || (flags & COMMAND_WHILE_PLAYING)) {
         return false;
+    }
+    if (command) {
+        leaving_withdraw(app, command);
     }
     if (app->player.state == PLAYER_IS_FINISHED) {
         return steer_card(app, command);

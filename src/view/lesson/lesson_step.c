@@ -27,7 +27,9 @@ static void press(App *app, const LessonStep *step) {
         if (!command_is(command, "settings")) {
             app->window.shows_settings = shows_settings;
         }
-        window_end_toast(&app->window);
+        if (!app->title.holds) { // What was said to the user before stays.
+            window_end_toast(&app->window);
+        }
     }
 }
 
@@ -89,6 +91,12 @@ static void pick_pixel(App *app, const LessonStep *step) {
     app_pick_pixel(app, step->x, step->y);
 }
 
+/** #LESSON_MARK. */
+static void mark_pixel(App *app, const LessonStep *step) {
+    ray_view_mark(&app->window.ray_view, step->x, step->y);
+    window_present(&app->window);
+}
+
 /** #LESSON_WALK. */
 static void walk(App *app, const LessonStep *step) {
     app_step_pixel(app, (int)step->x, (int)step->y);
@@ -145,16 +153,13 @@ static void take_snapshot(App *app, const LessonStep *step) {
 void lesson_step_do(App *app, const LessonStep *step) {
     /** What each kind of step does. */
     static void (*const actions[])(App * app, const LessonStep *step) = {
-        [LESSON_PRESS] = press,      [LESSON_RELEASE] = release,
-        [LESSON_SPEED] = set_speed,  [LESSON_TURN] = turn,
-        [LESSON_ORBIT] = orbit,      [LESSON_PAN] = pan,
-        [LESSON_ZOOM] = zoom,        [LESSON_SIZE] = set_size,
-        [LESSON_PIXEL] = pick_pixel, [LESSON_WALK] = walk,
-        [LESSON_RAY] = choose_ray,   [LESSON_BAR] = move_bar,
-        [LESSON_DRAG] = drag_light,  [LESSON_SELECT] = select_object,
-        [LESSON_SET] = set_field,    [LESSON_MOVE] = move_object,
-        [LESSON_CAPTION] = stop,     [LESSON_ASK] = stop,
-        [LESSON_EXPLAIN] = stop,     [LESSON_SNAPSHOT] = take_snapshot,
+        [LESSON_PRESS] = press,   [LESSON_RELEASE] = release,  [LESSON_SPEED] = set_speed,
+        [LESSON_TURN] = turn,     [LESSON_ORBIT] = orbit,      [LESSON_PAN] = pan,
+        [LESSON_ZOOM] = zoom,     [LESSON_SIZE] = set_size,    [LESSON_PIXEL] = pick_pixel,
+        [LESSON_WALK] = walk,     [LESSON_RAY] = choose_ray,   [LESSON_MARK] = mark_pixel,
+        [LESSON_BAR] = move_bar,  [LESSON_DRAG] = drag_light,  [LESSON_SELECT] = select_object,
+        [LESSON_SET] = set_field, [LESSON_MOVE] = move_object, [LESSON_CAPTION] = stop,
+        [LESSON_ASK] = stop,      [LESSON_EXPLAIN] = stop,     [LESSON_SNAPSHOT] = take_snapshot,
     };
     actions[step->kind](app, step);
 }

@@ -12,12 +12,32 @@ bool player_is_unattended(const App *app) {
     return app->settings->lesson_snapshot_dir != NULL;
 }
 
+bool player_is_stop(const LessonStep *step) {
+    return step->kind == LESSON_CAPTION || step->kind == LESSON_ASK || step->kind == LESSON_EXPLAIN;
+}
+
+size_t player_next_stop(const Player *player) {
+    const Lesson *lesson = player->lesson;
+    size_t stop = player->next_step;
+    while (stop < lesson->count && !player_is_stop(&lesson->steps[stop])) {
+        stop++;
+    }
+    return stop;
+}
+
+bool player_is_before_verdict(const Player *player) {
+    const size_t stop = player_next_stop(player);
+    return player->state == PLAYER_RUNS && stop < player->lesson->count &&
+           player->lesson->steps[stop].kind == LESSON_EXPLAIN;
+}
+
 void player_update_panel(App *app) {
     const Player *player = &app->player;
     LessonPanel panel = {.lesson = player_is_unattended(app) ? NULL : player->lesson,
                          .answers = player->answers,
                          .stop = player->stop,
                          .is_waiting = player->state == PLAYER_WAITS,
+                         .is_before_verdict = player->lesson && player_is_before_verdict(player),
                          .is_asking = player->state == PLAYER_ASKS,
                          .is_finished = player->state == PLAYER_IS_FINISHED,
                          .has_next = player->next_path[0] != '\0'};

@@ -4,6 +4,7 @@
  */
 #include "view/lesson/player.h"
 
+#include "base/language.h"
 #include "base/lesson_file.h"
 #include "base/scene_name.h"
 #include "view/commands/current_scene.h"
@@ -102,13 +103,13 @@ void player_open_selected(App *app) {
 static void finish_lesson(App *app) {
     Player *player = &app->player;
     step_clock_advance(&player->step_clock, player->step_clock.now + STEP_CLOCK_TICK);
-    app_set_status(app, "the lesson is over");
+    app_set_title_status(app, N_("the lesson is over")); // On the picture the card says it.
     if (player_is_unattended(app)) {
         player_end(app);
         app->exit.is_requested = true;
         return;
     }
-    window_end_toast(&app->window); // The card says it.
+    window_end_toast(&app->window);
     timeline_pause(&app->timeline, app_clock(app));
     player->state = PLAYER_IS_FINISHED;
     if (!app->settings->load || !lesson_file_next(player->path, player->next_path)) {
@@ -123,15 +124,14 @@ static void finish_lesson(App *app) {
 static void play_until(App *app, int64_t until) {
     Player *player = &app->player;
     const Lesson *lesson = player->lesson;
-    // The second picture opens at the end of a frame; what follows may change it.
+    // A second picture, and rays, are there at the end of a frame; what follows may change them.
     while (!app_is_lesson_stopped(app) && player->next_step < lesson->count &&
-           lesson->steps[player->next_step].time <= until &&
-           !window_awaits_second_picture(&app->window)) {
+           lesson->steps[player->next_step].time <= until && !window_awaits_frame(&app->window)) {
         const LessonStep *step = &lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         lesson_step_do(app, step);
     }
-    if (app_is_lesson_stopped(app) || window_awaits_second_picture(&app->window)) {
+    if (app_is_lesson_stopped(app) || window_awaits_frame(&app->window)) {
         return;
     }
     if (player->next_step == lesson->count) {
@@ -144,7 +144,7 @@ static void play_until(App *app, int64_t until) {
 void player_repeat_steps(App *app) {
     Player *player = &app->player;
     while (player->next_step < player->repeat_end && !app_is_lesson_stopped(app) &&
-           !window_awaits_second_picture(&app->window)) {
+           !window_awaits_frame(&app->window)) {
         const LessonStep *step = &player->lesson->steps[player->next_step++];
         step_clock_advance(&player->step_clock, step->time);
         lesson_step_do(app, step);

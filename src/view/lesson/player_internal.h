@@ -20,6 +20,15 @@ void player_repeat_steps(App *app);
 /** @return Whether the lesson plays without a viewer. */
 bool player_is_unattended(const App *app);
 
+/** @return Whether a step is a stop: a caption, a question, an explanation. */
+bool player_is_stop(const LessonStep *step);
+
+/** @return The next stop of the lesson; the number of its steps: there is none. */
+size_t player_next_stop(const Player *player);
+
+/** @return Whether the lesson runs, and stops next where a question is answered. */
+bool player_is_before_verdict(const Player *player);
+
 /** Shows in the panel what the lesson does. */
 void player_update_panel(App *app);
 

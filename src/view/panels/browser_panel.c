@@ -71,6 +71,11 @@ static int show_header(Browser *browser, const BrowserOrder *order, const GuiRec
     return part;
 }
 
+/** @return Whether a scene could not be loaded. */
+static bool is_faulty_scene(const SceneEntry *scene) {
+    return scene->is_loaded && !scene->picture.pixels;
+}
+
 /** Writes title, length and first words of a lesson. */
 static void show_summary(const SceneEntry *lesson) {
     const LessonSummary *summary = &lesson->summary;
@@ -80,7 +85,7 @@ static void show_summary(const SceneEntry *lesson) {
     snprintf(questions, sizeof questions,
              ngettext("%d question", "%d questions", (unsigned long)summary->questions),
              summary->questions);
-    // Below its picture a long title is cut.
+    // Below its picture a very long title is cut.
     snprintf(line, sizeof line, "%s%s%s, %s%s%s", lesson->title, gettext(": "), steps, questions,
              summary->first_words[0] != '\0' ? " — " : "", summary->first_words);
     gui_paragraph(line, GUI_COLOR_TEXT, 1);
@@ -91,7 +96,7 @@ static void show_footer(const Browser *browser, const BrowserOrder *order, const
     gui_panel_begin("scenes footer", rect);
     if (order->count > 0 && browser->described < browser->list.count) {
         const SceneEntry *scene = &browser->list.scenes[browser->described];
-        bool is_faulty = scene->is_loaded && !scene->picture.pixels;
+        bool is_faulty = is_faulty_scene(scene);
         if (scene->is_lesson && !is_faulty && scene->summary.steps > 0) {
             show_summary(scene);
         } else {
@@ -101,35 +106,55 @@ static void show_footer(const Browser *browser, const BrowserOrder *order, const
     gui_panel_end();
 }
 
-/** Writes the name of a scene with spaces, where it can be broken into lines. */
-static void write_name(const SceneEntry *scene, char name[SCENE_ENTRY_NAME_SIZE]) {
+/** @return What stands below the picture of a scene: the title of a lesson, else its name with
+ *  spaces, where it can be broken into lines. @param[out] name Room for it. */
+static const char *name_below(const SceneEntry *scene, char name[SCENE_ENTRY_NAME_SIZE]) {
+    if (scene->is_lesson && !is_faulty_scene(scene)) {
+        return scene->title;
+    }
     SDL_strlcpy(name, scene->label, SCENE_ENTRY_NAME_SIZE);
     for (char *c = name; *c; c++) {
         *c = *c == '-' ? ' ' : *c;
     }
+    return name;
+}
+
+/** @return Height of the names of a line of thumbnails: those of a line are equally high. @param
+ *  first Position of its first scene. @param end Behind the last one of all. */
+static float line_name_height(const Browser *browser, const BrowserOrder *order, size_t first,
+                              size_t end, float width) {
+    float height = 0;
+    for (size_t i = first; i < end && i < first + (size_t)browser->columns; i++) {
+        char name[SCENE_ENTRY_NAME_SIZE];
+        const SceneEntry *scene = &browser->list.scenes[order->indices[i]];
+        height = SDL_max(height, gui_thumbnail_name_height(name_below(scene, name), width));
+    }
+    return height;
 }
 
 /** Shows some scenes of the order. @param first First position. @param end Behind the last one. */
 static void show_part(Browser *browser, const BrowserOrder *order, size_t first, size_t end,
                       SDL_Renderer *renderer) {
-    float width = gui_thumbnail_width(&browser->columns);
+    float width = gui_thumbnail_width(&browser->columns), name_height = 0;
     for (size_t i = first; i < end; i++) {
         size_t index = order->indices[i];
         SceneEntry *scene = &browser->list.scenes[index];
         bool is_selected = index == browser->selected;
-        bool is_faulty = scene->is_loaded && !scene->picture.pixels;
+        bool is_faulty = is_faulty_scene(scene);
         char name[SCENE_ENTRY_NAME_SIZE];
-        write_name(scene, name);
+        const int column = (int)((i - first) % (size_t)browser->columns);
+        if (column == 0) {
+            name_height = line_name_height(browser, order, i, end, width);
+        }
         const GuiThumbnail thumbnail = {.texture = thumbnail_texture(browser, index, renderer),
-                                        .name =
-                                            scene->is_lesson && !is_faulty ? scene->title : name,
+                                        .name = name_below(scene, name),
+                                        .name_height = name_height,
                                         .message = is_faulty          ? "⚠"
                                                    : scene->is_loaded ? NULL
                                                                       : "…",
                                         .color = is_faulty ? GUI_COLOR_ERROR : GUI_COLOR_FAINT,
                                         .is_selected = is_selected,
                                         .scrolls_to_it = is_selected && browser->scrolls};
-        int column = (int)((i - first) % (size_t)browser->columns);
         GuiMouse mouse = gui_thumbnail((int)index, &thumbnail, column, width, &scene->is_in_sight);
         browser->described =
             mouse == GUI_IDLE || !browser->follows_mouse ? browser->described : index;

@@ -56,11 +56,22 @@ static void add_keys(const Help *help, HelpList *list, const Command *command) {
     }
 }
 
-void help_write_list(const Help *help, HelpList *list) {
+/** @return The group of what keys do while a lesson plays: its rows name other commands. */
+static const char *lesson_group(const Help *help) {
+    const Command *row = help->commands;
+    while (command_is_row(row) && !row->keys_of) {
+        row++;
+    }
+    return command_is_row(row) ? row->group : NULL;
+}
+
+/** Adds the rows of commands. @param group Their group. @param is_of_group false: those of all
+ *  other groups. */
+static void add_groups(const Help *help, HelpList *list, const char *group, bool is_of_group) {
     const Command *previous = NULL;
-    list->count = 0;
     for (const Command *command = help->commands; command_is_row(command); command++) {
-        if (!command->group || (command_is(command, "quit") && !way_out_exists())) {
+        if (!command->group || (command_is(command, "quit") && !way_out_exists()) ||
+            (group && strcmp(command->group, group) == 0) != is_of_group) {
             continue;
         }
         bool is_new_group = !previous || strcmp(previous->group, command->group) != 0;
@@ -77,6 +88,15 @@ void help_write_list(const Help *help, HelpList *list) {
         add_keys(help, list, command);
         previous = command;
     }
+}
+
+void help_write_list(const Help *help, HelpList *list) {
+    const char *first = help->is_in_lesson ? lesson_group(help) : NULL;
+    list->count = 0;
+    if (first) {
+        add_groups(help, list, first, true);
+    }
+    add_groups(help, list, first, false);
 }
 
 /** Prints the list of keys. */

@@ -17,6 +17,7 @@ enum { HELP_KEYS_MAXIMUM = 8 };
 typedef struct Help {
     const Command *commands;  /**< All commands. */
     bool by_letter;           /**< See #command_find_key. */
+    bool is_in_lesson;        /**< Whether a lesson plays: the list begins with its keys. */
     bool is_open;             /**< Whether it is shown. */
     GuiCell selected;         /**< The row and the key that Enter runs; row -1: none. */
     const Command *requested; /**< The command that a click or Enter requests; NULL: none. */

@@ -91,10 +91,11 @@ static bool is_asked_again(const LessonPanel *panel) {
 }
 
 const char *lesson_panel_state(const LessonPanel *panel) {
-    return gettext(is_asked_again(panel) ? N_("Once more: what do you predict now?")
-                   : panel->is_asking    ? N_("What do you predict?")
-                   : panel->is_waiting   ? N_("go on (Space)")
-                                         : N_("hold (Space)"));
+    return gettext(is_asked_again(panel)      ? N_("Once more: what do you predict now?")
+                   : panel->is_asking         ? N_("What do you predict?")
+                   : panel->is_waiting        ? N_("go on (Space)")
+                   : panel->is_before_verdict ? N_("the answer (Space)")
+                                              : N_("hold (Space)"));
 }
 
 /** Shows what the lesson waits for. */
@@ -103,7 +104,7 @@ static void show_state(LessonPanel *panel) {
     gui_same_line(label);
     if (panel->is_asking) {
         gui_heading(label);
-    } else if (gui_step_button(label, NULL, true, panel->is_waiting)) {
+    } else if (gui_step_button(label, NULL, true, panel->is_waiting || panel->is_before_verdict)) {
         request(panel, LESSON_REQUEST_RESUME, 0);
     }
 }

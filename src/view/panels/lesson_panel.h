@@ -33,14 +33,15 @@ typedef struct LessonRequest {
 
 /** The panel. Starts as `{0}`: closed. */
 typedef struct LessonPanel {
-    const Lesson *lesson;  /**< The lesson; NULL: closed. */
-    const int *answers;    /**< Chosen answers, from 1; 0: none. */
-    size_t stop;           /**< Index of the step that it shows; #LESSON_STEPS_MAXIMUM: none. */
-    bool is_waiting;       /**< Whether the lesson waits for Space. */
-    bool is_asking;        /**< Whether it waits for an answer. */
-    bool is_finished;      /**< Whether the end card is shown. */
-    bool has_next;         /**< Whether there is a next lesson. */
-    LessonRequest request; /**< What a button has requested; the player clears it. */
+    const Lesson *lesson;   /**< The lesson; NULL: closed. */
+    const int *answers;     /**< Chosen answers, from 1; 0: none. */
+    size_t stop;            /**< Index of the step that it shows; #LESSON_STEPS_MAXIMUM: none. */
+    bool is_waiting;        /**< Whether the lesson waits for Space. */
+    bool is_asking;         /**< Whether it waits for an answer. */
+    bool is_before_verdict; /**< Whether it runs, and shows next which answer is right. */
+    bool is_finished;       /**< Whether the end card is shown. */
+    bool has_next;          /**< Whether there is a next lesson. */
+    LessonRequest request;  /**< What a button has requested; the player clears it. */
 } LessonPanel;
 
 /** @return Whether a step is shown in the panel's list: a caption or a question. */

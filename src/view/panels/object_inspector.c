@@ -6,7 +6,7 @@
 
 #include "base/language.h"
 #include "dioptre/scene_words.h"
-#include "view/panels/light_marks.h"
+#include "view/panels/picture_projection.h"
 #include "view/panels/thing_title.h"
 
 #include <libintl.h>
@@ -90,9 +90,11 @@ static bool show_widget(const WidgetContext *context, const Parameter *row, doub
     bool is_changed;
     switch (row->type) {
     case PARAMETER_COLOR:
-        return gui_edit_color(
-            name, numbers, row->maximum,
-            (const char *const[]){gettext("red"), gettext("green"), gettext("blue")}, tooltip);
+        return gui_edit_color(name, numbers, row->maximum,
+                              (const char *const[]){gettext("hue"), gettext("saturation"),
+                                                    gettext("value"), gettext("red"),
+                                                    gettext("green"), gettext("blue")},
+                              tooltip);
     case PARAMETER_BOOLEAN:
         return gui_edit_check(name, numbers, tooltip);
     case PARAMETER_CHOICE:

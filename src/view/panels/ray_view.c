@@ -10,18 +10,28 @@ enum { REVEAL_FRAMES = 4 };
 static const double TURN_PER_SECOND = 45;
 /** Factor of the zoom per second of a held key. */
 static const double ZOOM_PER_SECOND = 2;
-/** Width of the column of numbers, fraction of the window. */
+/** Largest width of the column of the list and the inset, and height of the inset, fraction of the
+ *  view: a picture of the view's own shape fills the column's width. */
 static const double COLUMN_FRACTION = 0.4;
-/** Size of the inset, fraction of the window. */
-static const double INSET_FRACTION = 0.3;
+/** Least width of that column, fraction of the view: its rows would break into single words. */
+static const double COLUMN_FRACTION_MINIMUM = 0.3;
+/** Colour of the ground beside an inset that is narrower than its column, 0xRRGGBB: that of the
+ *  list above it. */
+static const unsigned INSET_GROUND = 0x0d0f18;
+/** Length of an arm of the mark at the pixel, fraction of the picture's height. */
+static const double MARK_FRACTION = 0.08;
 /** Width of the drawing beside the view, fraction of both. */
 static const double PANE_FRACTION = 0.5;
 /** Rows of text that fill the height of the window, as everywhere in it. */
 static const double ROWS_PER_WINDOW = 30;
 /** Smallest height of letters, pixels. */
 static const double TEXT_SIZE_MINIMUM = 14;
-/** Height of the formulas, fraction of the window: they are what the view is opened for. */
-static const double FORMULAS_FRACTION = 0.42;
+/** Width of the line between the view and the inset, fraction of the view's height. */
+static const double RULE_FRACTION = 0.004;
+/** Height of formulas and sum, fraction of the view: they are what it is opened for. */
+static const double FORMULAS_FRACTION = 0.46;
+/** The same in a lesson, whose words stand beside the view and are about the picture. */
+static const double LESSON_FORMULAS_FRACTION = 0.25;
 /** Difference of heights of the buttons that is only rounding. */
 static const double BUTTONS_TOLERANCE = 0.004;
 /** Seconds in which a ray flies along its path. */
@@ -35,7 +45,9 @@ void ray_view_reset(RayView *ray_view) {
     if (ray_view->is_open) {
         ray_view_toggle(ray_view);
     }
-    ray_view->has_pixel = false;
+    ray_view->has_pixel = ray_view->is_marked = ray_view->is_along_light = false;
+    ray_view->hidden_kinds = 0;
+    ray_view->pane = RAY_PANE_NONE;
 }
 
 void ray_view_toggle(RayView *ray_view) {
@@ -53,7 +65,9 @@ void ray_view_toggle(RayView *ray_view) {
 /** Goes to a pixel. @param x Fraction of the picture's width. @param y Fraction of its height. */
 static void set_pixel(RayView *ray_view, double x, double y) {
     const double last = 1 - 1e-9;
-    ray_view->is_open = ray_view->has_pixel = ray_view->needs_trace = true;
+    ray_view->is_open = ray_view->has_pixel = true;
+    ray_view->needs_trace = ray_view->is_new = true;
+    ray_view->is_marked = false;
     ray_view->x = SDL_clamp(x, 0, last);
     ray_view->y = SDL_clamp(y, 0, last);
     ray_view->selected = 0;
@@ -73,6 +87,11 @@ void ray_view_aim(RayView *ray_view, double x, double y) {
         ray_view->has_pixel = true;
         ray_view->has_orbit = false;
     }
+}
+
+void ray_view_mark(RayView *ray_view, double x, double y) {
+    ray_view_aim(ray_view, x, y);
+    ray_view->is_marked = !ray_view->is_open;
 }
 
 void ray_view_step_pixel(RayView *ray_view, int x, int y) {
@@ -162,7 +181,11 @@ void ray_view_turn_arrows(RayView *ray_view) {
 void ray_view_move(RayView *ray_view, Movement movement) {
     orbit_camera_rotate(&ray_view->orbit, -TURN_PER_SECOND * movement.right,
                         -TURN_PER_SECOND * movement.up);
-    orbit_camera_zoom(&ray_view->orbit, pow(ZOOM_PER_SECOND, movement.forward));
+    if (ray_view->selected < ray_view->ray_tree.count) {
+        const RayTreeNode *chosen = &ray_view->ray_tree.nodes[ray_view->selected];
+        orbit_camera_zoom(&ray_view->orbit, pow(ZOOM_PER_SECOND, movement.forward),
+                          orbit_camera_ray_middle(&ray_view->orbit, chosen));
+    }
     ray_view->needs_draw = true;
 }
 
@@ -199,28 +222,38 @@ void ray_view_stop(RayView *ray_view) {
 /* --- rooms of the window ------------------------------------------------------------------------
  */
 
-/** @return Rectangle of the inset with the picture. */
-static SDL_Rect inset_rect(const RayView *ray_view, const SDL_Rect *area) {
-    SDL_Rect rect = {.w = (int)(INSET_FRACTION * area->w), .h = (int)(INSET_FRACTION * area->h)};
-    if (ray_view->width > 0) { // As large as fits, with the shape of the picture.
-        double scale = SDL_min((double)rect.w / ray_view->width, (double)rect.h / ray_view->height);
-        rect.w = (int)(scale * ray_view->width);
-        rect.h = (int)(scale * ray_view->height);
+/** Finds the inset, as large as fits with the shape of the picture, and the room for it in the
+ * lower right corner, which it fills but in a narrow column. */
+static void lay_out_inset(const RayView *ray_view, const SDL_Rect *area, RayViewLayout *layout) {
+    const double widest = COLUMN_FRACTION * area->w, highest = COLUMN_FRACTION * area->h;
+    SDL_Rect inset = {.w = (int)(widest + 0.5), .h = (int)(highest + 0.5)}, room;
+    if (ray_view->width > 0) {
+        double scale = SDL_min(widest / ray_view->width, highest / ray_view->height);
+        inset.w = (int)(scale * ray_view->width + 0.5);
+        inset.h = (int)(scale * ray_view->height + 0.5);
     }
-    rect.x = area->x + area->w - rect.w;
-    rect.y = area->y + area->h - rect.h;
-    return rect;
+    room = inset;
+    room.w = SDL_max(inset.w, (int)(COLUMN_FRACTION_MINIMUM * area->w));
+    room.x = area->x + area->w - room.w;
+    room.y = area->y + area->h - room.h;
+    inset.x = room.x + (room.w - inset.w) / 2;
+    inset.y = room.y;
+    layout->inset = inset;
+    layout->inset_room = room;
 }
 
 RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
-    const int width = SDL_max(1, area->w - (int)(COLUMN_FRACTION * area->w)),
+    RayViewLayout layout;
+    lay_out_inset(ray_view, area, &layout);
+    const int width = SDL_max(1, area->w - layout.inset_room.w),
               top = (int)(ray_view->buttons_fraction * area->h + 0.5),
-              formulas = (int)(FORMULAS_FRACTION * area->h);
-    RayViewLayout layout = {
-        .buttons = {area->x, area->y, area->w, top},
-        .formulas = {area->x, area->y + top, width, formulas},
-        .view = {area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)},
-        .inset = inset_rect(ray_view, area)};
+              formulas = (int)(area->h * (ray_view->is_in_lesson ? LESSON_FORMULAS_FRACTION
+                                                                 : FORMULAS_FRACTION));
+    layout.buttons = (SDL_Rect){area->x, area->y, area->w, top};
+    layout.formulas = (SDL_Rect){area->x, area->y + top, width, formulas};
+    layout.view =
+        (SDL_Rect){area->x, area->y + top + formulas, width, SDL_max(1, area->h - top - formulas)};
+    layout.pane = (SDL_Rect){0};
     if (ray_view->pane != RAY_PANE_NONE) {
         layout.pane = layout.view;
         layout.view.w = SDL_max(1, (int)(width * (1 - PANE_FRACTION)));
@@ -228,7 +261,7 @@ RayViewLayout ray_view_layout(const RayView *ray_view, const SDL_Rect *area) {
         layout.pane.w = width - layout.view.w;
     }
     layout.list = (SDL_Rect){area->x + width, area->y + top, area->w - width,
-                             SDL_max(1, layout.inset.y - area->y - top)};
+                             SDL_max(1, layout.inset_room.y - area->y - top)};
     return layout;
 }
 
@@ -272,7 +305,7 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
     int x = (int)(ray_view->x * input->viewport->width),
         y = (int)(ray_view->y * input->viewport->height);
     RayTree *ray_tree = &ray_view->ray_tree;
-    ray_view->needs_trace = false;
+    ray_view->needs_trace = ray_view->is_new = false;
     ray_view->width = input->viewport->width;
     ray_view->height = input->viewport->height;
     if (!renderer_record_ray_tree(input->viewport->renderer, x, y, ray_tree, error)) {
@@ -283,7 +316,7 @@ static bool trace_rays(RayView *ray_view, const RayViewInput *input, Error *erro
     if (!ray_view->has_orbit) {
         SDL_Rect rect = ray_view_layout(ray_view, &input->area).view;
         ray_view->orbit = orbit_camera_fit(input->viewport->renderer, input->scene, &ray_view->cut,
-                                           ray_tree, rect.w, rect.h);
+                                           ray_tree, ray_view->hidden_kinds, rect.w, rect.h);
         ray_view->has_orbit = true;
     }
     ray_view->selected = SDL_min(ray_view->selected, ray_tree->count - 1);
@@ -406,14 +439,24 @@ bool ray_view_update(RayView *ray_view, const RayViewInput *input, SDL_Renderer 
 /* --- showing -----------------------------------------------------------------------------------
  */
 
-/** Draws the inset: the picture, and a mark at the pixel. */
-static void draw_inset(const RayView *ray_view, const StreamingTexture *texture,
-                       SDL_Renderer *renderer, const SDL_Rect *rect) {
-    streaming_texture_draw(texture, renderer, rect, rect);
+void ray_view_show_mark(const RayView *ray_view, SDL_Renderer *renderer, const SDL_Rect *rect) {
     SDL_RenderSetClipRect(renderer, rect);
     ray_overlay_mark_pixel(renderer, rect->x + ray_view->x * rect->w,
-                           rect->y + ray_view->y * rect->h, 0.08 * rect->h);
+                           rect->y + ray_view->y * rect->h, MARK_FRACTION * rect->h);
     SDL_RenderSetClipRect(renderer, NULL);
+}
+
+/** Draws the inset: the picture, and a mark at the pixel. */
+static void draw_inset(const RayView *ray_view, const StreamingTexture *texture,
+                       SDL_Renderer *renderer, const SDL_Rect *area, const RayViewLayout *layout) {
+    const SDL_Rect *room = &layout->inset_room;
+    SDL_SetRenderDrawColor(renderer, INSET_GROUND >> 16, INSET_GROUND >> 8 & 255,
+                           INSET_GROUND & 255, 255);
+    SDL_RenderFillRect(renderer, room);
+    streaming_texture_draw(texture, renderer, &layout->inset, &layout->inset);
+    const SDL_Rect rule = {room->x, room->y, (int)ceil(RULE_FRACTION * area->h), room->h};
+    SDL_RenderFillRect(renderer, &rule); // Two skies would run into each other.
+    ray_view_show_mark(ray_view, renderer, &layout->inset);
 }
 
 void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Renderer *renderer,
@@ -430,7 +473,7 @@ void ray_view_show(RayView *ray_view, const StreamingTexture *texture, SDL_Rende
     if (ray_view->pane != RAY_PANE_NONE && ray_view->pane_image.texture) {
         SDL_RenderCopy(renderer, ray_view->pane_image.texture, NULL, &layout.pane);
     }
-    draw_inset(ray_view, texture, renderer, &layout.inset);
+    draw_inset(ray_view, texture, renderer, area, &layout);
 }
 
 void ray_view_release_textures(RayView *ray_view) {

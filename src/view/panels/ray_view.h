@@ -30,11 +30,13 @@ typedef struct RayViewRequest {
 typedef struct RayView {
     bool is_open;          /**< Whether it is shown. */
     bool has_pixel;        /**< Whether a pixel was picked yet. */
+    bool is_marked;        /**< Whether the picture shows it before its rays are shown. */
     double x;              /**< Position of the pixel, fraction of the picture's width. */
     double y;              /**< The same, fraction of its height, from the top. */
     int width;             /**< Size of the picture whose rays were traced last; 0: none. */
     int height;            /**< The same. */
     bool needs_trace;      /**< Whether the rays must be traced again. */
+    bool is_new;           /**< Whether no rays of the pixel were traced yet. */
     bool needs_text;       /**< Whether the formulas must be written again. */
     bool needs_draw;       /**< Whether the second camera has moved since its render was started. */
     bool needs_present;    /**< Whether anything changed since it was shown. */
@@ -62,6 +64,7 @@ typedef struct RayView {
     int pages_to_scroll;                    /**< Pages by which the next frame scrolls formulas and
                                                  sum. */
     RayViewRequest request;                 /**< What the user has clicked on. */
+    bool is_in_lesson;                      /**< Whether a lesson has its words beside the view. */
     double buttons_fraction; /**< Height of its own row of buttons, fraction of the view of rays; 0:
                                   it has none, or none was shown yet. */
 } RayView;
@@ -78,7 +81,7 @@ typedef struct RayViewInput {
 /** Opens it at the last pixel, or first at the middle; or closes it. */
 void ray_view_toggle(RayView *ray_view);
 
-/** Closes it, and forgets the pixel. */
+/** Closes it, and forgets the pixel and how rays were drawn. */
 void ray_view_reset(RayView *ray_view);
 
 /** Opens it at a pixel, with a new view of the rays. @param x Fraction of the picture's width.
@@ -88,6 +91,12 @@ void ray_view_pick(RayView *ray_view, double x, double y);
 /** Chooses the pixel whose rays #ray_view_toggle will show. @param x Fraction of the picture's
  *  width. @param y Fraction of its height. */
 void ray_view_aim(RayView *ray_view, double x, double y);
+
+/** Chooses the pixel as #ray_view_aim does, and marks it in the picture until rays are shown. */
+void ray_view_mark(RayView *ray_view, double x, double y);
+
+/** Marks the pixel in a picture. @param rect Where the picture is. */
+void ray_view_show_mark(const RayView *ray_view, SDL_Renderer *renderer, const SDL_Rect *rect);
 
 /** Goes to a pixel nearby, with the same view. @param x Pixels to the right. @param y Pixels down.
  */
@@ -154,12 +163,13 @@ double ray_view_timeout(const RayView *ray_view, double now);
 
 /** Where the parts of the view are. */
 typedef struct RayViewLayout {
-    SDL_Rect buttons;  /**< The row of buttons at the top. */
-    SDL_Rect view;     /**< The second camera's picture. */
-    SDL_Rect pane;     /**< The drawing beside it; empty: there is none. */
-    SDL_Rect formulas; /**< The formulas of the chosen ray, above it. */
-    SDL_Rect list;     /**< The list of rays and the sum. */
-    SDL_Rect inset;    /**< The picture whose rays are shown. */
+    SDL_Rect buttons;    /**< The row of buttons at the top. */
+    SDL_Rect view;       /**< The second camera's picture. */
+    SDL_Rect pane;       /**< The drawing beside it; empty: there is none. */
+    SDL_Rect formulas;   /**< The formulas of the chosen ray and its sum, above it. */
+    SDL_Rect list;       /**< The list of rays. */
+    SDL_Rect inset_room; /**< The room below the list. */
+    SDL_Rect inset;      /**< The picture whose rays are shown, in that room. */
 } RayViewLayout;
 
 /** @return Where its parts are. @param area The part of the window that it fills, in the unit of

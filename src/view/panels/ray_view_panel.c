@@ -7,6 +7,7 @@
 
 #include "base/language.h"
 #include "base/typeset_numbers.h"
+#include "render/ray_hit.h"
 #include "view/gui/gui.h"
 #include "view/panels/tooltip.h"
 
@@ -180,26 +181,11 @@ static GuiPoint size_of(const SDL_Rect *rect) {
     return (GuiPoint){(float)rect->w, (float)rect->h};
 }
 
-/** Shows the list of rays, and the sum below it. @param is_new Whether another ray was just chosen.
- */
-static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rect, bool is_new) {
-    SDL_Rect upper = *rect, lower = *rect;
-    char text[ROW_SIZE];
-    upper.h = rect->h * 3 / 5;
-    lower.y += upper.h;
-    lower.h -= upper.h;
-    gui_list_begin("rays", corner_of(&upper), size_of(&upper));
+/** Shows the list of rays. */
+static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rect) {
+    gui_list_begin("rays", corner_of(rect), size_of(rect));
     gui_heading(ray_view->heading);
     show_rows(ray_view, scene);
-    gui_panel_end();
-    gui_list_begin("sum", corner_of(&lower), size_of(&lower));
-    if (is_new) {
-        gui_scroll_to_top();
-    }
-    gui_scroll_pages(ray_view->pages_to_scroll);
-    snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
-    gui_heading(text);
-    show_formulas(&ray_view->sum);
     gui_panel_end();
 }
 
@@ -231,19 +217,23 @@ void ray_view_show_own_row(RayView *ray_view, const Help *help, const SDL_Rect *
     ray_view_set_buttons(ray_view, SDL_min(fraction, BUTTONS_FRACTION_MAXIMUM));
 }
 
-/** Shows the formulas of the chosen ray. @param is_new Whether it was just chosen. */
+/** Shows the formulas of the chosen ray, and its sum below them. @param is_new Whether it was just
+ *  chosen. */
 static void show_chosen(const RayView *ray_view, const SDL_Rect *rect, bool is_new) {
     const RayTreeNode *ray = &ray_view->ray_tree.nodes[ray_view->selected];
     char text[ROW_SIZE];
-    snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
-             gettext(ray_style(ray)->name));
     gui_list_begin("formulas", corner_of(rect), size_of(rect));
     if (is_new) {
         gui_scroll_to_top();
     }
     gui_scroll_pages(ray_view->pages_to_scroll);
+    snprintf(text, sizeof text, gettext("Ray %zu: %s"), ray_view->selected,
+             gettext(ray_style(ray)->name));
     gui_heading(text);
     show_formulas(&ray_view->formulas);
+    snprintf(text, sizeof text, gettext("The sum of ray %zu"), ray_view->selected);
+    gui_heading(text);
+    show_formulas(&ray_view->sum);
     gui_panel_end();
 }
 
@@ -301,7 +291,7 @@ void ray_view_show_widgets(RayView *ray_view, const Scene *scene, const SDL_Rect
     show_flight(&drawing, &layout.view, scale, ray_view_flight(ray_view, clock_now_seconds()));
     show_numbers(&drawing, &layout.view, scale);
     const bool is_new = ray_view->frames_to_reveal > 0;
-    show_list(ray_view, scene, &layout.list, is_new);
+    show_list(ray_view, scene, &layout.list);
     show_chosen(ray_view, &layout.formulas, is_new);
     ray_view->pages_to_scroll = 0;
 }

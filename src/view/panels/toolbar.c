@@ -163,21 +163,21 @@ static void menu(Toolbar *toolbar, const ToolbarContent *content) {
     enum { COUNT = sizeof commands / sizeof *commands };
     const bool has_way_out = way_out_exists();
     const int count = has_way_out ? COUNT : COUNT - 1; // The last one is the way out.
-    char texts[COUNT][TOOLTIP_SIZE];
-    const char *entries[COUNT];
     if (toolbar->is_folded) {
         command_button(toolbar, content, "☰", "toolbar", false);
         return;
     }
-    for (int i = 0; i < count; i++) {
-        entries[i] = tooltip_write(content->help, commands[i], texts[i]);
+    if (!gui_menu_begin("☰", has_way_out
+                                 ? gettext("bar, letters, language, lessons to record, the way out")
+                                 : gettext("bar, letters, language, lessons to record"))) {
+        return;
     }
-    int chosen =
-        gui_menu("☰",
-                 has_way_out ? gettext("bar, letters, language, lessons to record, the way out")
-                             : gettext("bar, letters, language, lessons to record"),
-                 entries, count);
-    request(toolbar, chosen >= 0 ? commands[chosen] : NULL, chosen >= 0);
+    for (int i = 0; i < count; i++) {
+        char text[TOOLTIP_SIZE];
+        request(toolbar, commands[i],
+                gui_menu_entry(tooltip_write(content->help, commands[i], text)));
+    }
+    gui_menu_end();
 }
 
 /** The widgets of the rays of a pixel, with the settings that such a ray has. */
@@ -211,8 +211,10 @@ static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     command_button(toolbar, content, "↺", "as at first", false);
     cyclic_choice(toolbar, content, "split", splits, splits, SPLIT_COUNT, (int)content->split);
     if (content->is_animated) {
-        command_button(toolbar, content, content->is_running ? "❚❚" : "▶", "time",
-                       content->is_running);
+        char text[TOOLTIP_SIZE];
+        request(toolbar, "time",
+                gui_toggle((const char *const[]){"▶", "❚❚"},
+                           tooltip_write(content->help, "time", text), content->is_running));
     }
     command_button(toolbar, content, gettext("rays"), "rays", false);
     command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
@@ -232,10 +234,10 @@ void toolbar_show(Toolbar *toolbar, const ToolbarContent *content) {
             picture_widgets(toolbar, content);
         }
         command_button(toolbar, content, gettext("photo"), "snapshot", false);
-        if (content->is_recording) {
+        command_button(toolbar, content, "?", "help", content->help->is_open);
+        if (content->is_recording) { // The last one: no other moves.
             command_button(toolbar, content, "●", "record", true);
         }
-        command_button(toolbar, content, "?", "help", content->help->is_open);
     }
     toolbar->height = gui_bar_end();
 }

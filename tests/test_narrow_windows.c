@@ -1,0 +1,127 @@
+/**
+ * @file
+ * @brief Panels in windows that are too narrow for them: a row of no width must not end the
+ * program.
+ */
+#include "window_texts.h"
+
+/** Widest of the narrow windows, pixels: two thumbnails have room beside each other in it. */
+enum { NARROW = 160 };
+/** Pixels from one width to the next. */
+enum { WIDTH_STEP = 9 };
+
+/** Draws what is open in windows of many small widths, and checks that a wide one has texts again.
+ */
+static void draw_narrow(Fixture *fixture) {
+    static const int heights[] = {1, 211, 700};
+    Window *window = &fixture->window;
+    const GuiText *texts;
+    for (int width = 1; width <= NARROW; width += WIDTH_STEP) {
+        for (size_t i = 0; i < COUNT(heights); i++) {
+            SDL_SetWindowSize(window->sdl.window, width, heights[i]);
+            SDL_PumpEvents();
+            window_on_resize(window);
+            window_present(window);
+        }
+    }
+    set_size(window, sizes[0][0], sizes[0][1]);
+    window_present(window);
+    assert_true(gui_texts(window->gui, &texts) > 0);
+}
+
+/** The help. */
+static void test_help(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    fixture->window.help.is_open = true;
+    draw_narrow(fixture);
+    fixture->window.help.is_open = false;
+}
+
+/** @return No scene. See #ViewPreviewLoader. */
+static Scene *load_nothing(void *context, const char *path, const atomic_bool *stop,
+                           RenderSettings *render, Error *error) {
+    (void)context;
+    (void)path;
+    (void)stop;
+    (void)render;
+    error_set(error, STATUS_SCENE, "%s", "no picture");
+    return NULL;
+}
+
+/** The list of scenes. */
+static void test_list(void **state) {
+    static const ViewSettings settings = {.preview = load_nothing};
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    Browser *browser = &fixture->window.browser;
+    assert_true(browser_open(browser, &settings, 0, FIXTURE_SCENE));
+    draw_narrow(fixture);
+    browser_close(browser);
+}
+
+/** The inspector of a shape, beside a legend. */
+static void test_inspector(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    Window *window = &fixture->window;
+    EditHistory edits = {0};
+    bool is_light_moved[8] = {0};
+    const SceneObject object = scene_object_of_shape(fixture->scene, 0);
+    window->state.edits = &edits;
+    window->state.is_light_moved = is_light_moved;
+    window->viewports[0].report.layer.layer = LAYER_ACNE;
+    window->object_inspector =
+        (ObjectInspector){.keyword = object.keyword, .number = object.origin->number};
+    draw_narrow(fixture);
+    window->viewports[0].report.layer.layer = LAYER_SHADED;
+    window->object_inspector = (ObjectInspector){0};
+    window->state.edits = NULL;
+    window->state.is_light_moved = NULL;
+    edit_history_deinit(&edits);
+}
+
+/** Questions and explanations of a lesson, and its end card. */
+static void test_lesson(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    Error error = {0};
+    Lesson *lesson = script_load_lesson("scenes/lessons/03-glass.lua", &actions, &error);
+    assert_non_null(lesson);
+    int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
+    LessonPanel panel = {.lesson = lesson, .answers = answers};
+    for (size_t i = 0; i < lesson->count; i++) {
+        if (lesson->steps[i].kind == LESSON_ASK) {
+            panel.stop = i;
+            panel.is_asking = true;
+            window_set_lesson_panel(&fixture->window, &panel);
+            draw_narrow(fixture);
+        }
+    }
+    panel.is_asking = false;
+    panel.is_finished = true;
+    window_set_lesson_panel(&fixture->window, &panel);
+    draw_narrow(fixture);
+    window_set_lesson_panel(&fixture->window, &(LessonPanel){0});
+    lesson_destroy(lesson);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_help),
+        cmocka_unit_test(test_list),
+        cmocka_unit_test(test_inspector),
+        cmocka_unit_test(test_lesson),
+    };
+    return cmocka_run_group_tests(tests, open_window, close_window);
+}

@@ -1,0 +1,138 @@
+/**
+ * @file
+ * @brief Tests of lessons as a class plays them: Space after an answer, marked pixels, chosen rays.
+ */
+#include "app_window.h"
+
+#include "dioptre/script.h"
+#include "dioptre/view.h"
+#include "view/lesson/player.h"
+
+/** A mirror before a sphere, with one lamp: ray 0 from the eye, 1 to the lamp, 2 from the mirror.
+ */
+static const char SCENE[] = "camera { position = {0, 1, 6}, look_at = {0, 1, 0} }\n"
+                            "light { position = {1, 5, 3} }\n"
+                            "quad { corner = {-4, -3, 0}, u = {8, 0, 0}, v = {0, 8, 0}, material = "
+                            "material { reflectivity = 0.5 } }\n";
+/** A lesson that goes on for a minute after its question. */
+static const char LESSON[] =
+    "lesson { scene = \"scene.lua\" }\n"
+    "mark(0.25, 0.75)\n"
+    "ask { en = \"One?\", choices = { \"a\", \"b\" }, right = 1, because = \"So.\" }\n"
+    "press \"shadow rays\"\n"
+    "press \"rays\"\n"
+    "ray(2)\n"
+    "wait(60)\n"
+    "explain()\n"
+    "press \"rays\"\n"
+    "wait(60)\n"
+    "caption { en = \"Two\", wait = true }\n";
+
+/** The lesson; owned. */
+static Lesson *lesson;
+
+/** Opens the window with the lesson. @return 0 if it is open. */
+static int set_up(void **state) {
+    (void)state;
+    const char *names[VIEW_ACTIONS_MAXIMUM];
+    const ActionNames actions = {names, view_actions(names)};
+    Error error = {0};
+    if (open_app_window(SCENE, "") != 0) {
+        return -1;
+    }
+    lesson = script_load_lesson(write_text("lesson.lua", LESSON), &actions, &error);
+    if (!lesson) {
+        print_error("%s\n", error.message);
+        return -1;
+    }
+    opened.settings.lesson = lesson;
+    opened.settings.lesson_path = opened.path;
+    player_begin(&opened.app);
+    return 0;
+}
+
+/** Closes both. @return 0 */
+static int tear_down(void **state) {
+    player_end(&opened.app);
+    lesson_destroy(lesson);
+    return close_app_window(state);
+}
+
+/** Does what some frames do. */
+static void frames(void) {
+    for (int i = 0; i < 8; i++) {
+        assert_true(settle());
+        player_handle_request(&opened.app);
+        player_update(&opened.app, clock_now_seconds());
+    }
+}
+
+/** Issues a command as its key does while a lesson plays. */
+static void steer(const char *name) {
+    assert_true(player_handle_command(&opened.app, command_find(command_table, name)));
+    frames();
+}
+
+/** Fails unless the lesson is in a state, at a stop of a kind. */
+static void assert_at(PlayerState state, LessonStepKind kind) {
+    const Player *player = &opened.app.player;
+    assert_int_equal(player->state, state);
+    assert_true(player->stop < lesson->count);
+    assert_int_equal(lesson->steps[player->stop].kind, kind);
+}
+
+/** Space after an answer shows at once whether it is right; elsewhere it holds the lesson. */
+static void test_space_after_answer(void **state) {
+    (void)state;
+    const Player *player = &opened.app.player;
+    const LessonPanel *panel = &opened.app.window.lesson_panel;
+    frames();
+    assert_at(PLAYER_ASKS, LESSON_ASK);
+    assert_false(panel->is_before_verdict);
+    assert_true(player_handle_digit(&opened.app, SDL_SCANCODE_2));
+    frames();
+    assert_int_equal(player->state, PLAYER_RUNS);
+    assert_true(panel->is_before_verdict);
+    steer("scenes");
+    assert_status("Space goes to the answer");
+    steer("time");
+    assert_at(PLAYER_WAITS, LESSON_EXPLAIN);
+    assert_false(panel->is_before_verdict);
+    assert_int_equal(player->answers[0], 2);
+    steer("time");
+    assert_int_equal(player->state, PLAYER_RUNS);
+    assert_false(panel->is_before_verdict);
+    steer("time");
+    assert_int_equal(player->state, PLAYER_WAITS); // Held between two stops.
+    steer("time");
+    assert_int_equal(player->state, PLAYER_RUNS);
+}
+
+/** A pixel is marked until its rays are shown; steps back and on at once show the same rays. */
+static void test_marked_pixel(void **state) {
+    (void)state;
+    const RayView *rays = &opened.app.window.ray_view;
+    frames();
+    for (int turn = 0; turn < 2; turn++) {
+        assert_at(PLAYER_ASKS, LESSON_ASK);
+        assert_true(rays->is_marked && !rays->is_open && rays->hidden_kinds == 0);
+        assert_true(rays->x == 0.25 && rays->y == 0.75);
+        steer("time on");
+        assert_at(PLAYER_WAITS, LESSON_EXPLAIN);
+        assert_true(rays->is_open && !rays->is_marked);
+        assert_true(rays->x == 0.25 && rays->y == 0.75);
+        assert_int_equal(rays->hidden_kinds, 1U << RAY_SHADOW);
+        assert_int_equal(rays->selected, 2);
+        assert_int_equal(rays->ray_tree.nodes[rays->selected].kind, RAY_REFLECTION);
+        steer("time back");
+    }
+}
+
+/** @return 0 if all tests pass. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, tear_down),
+    };
+    return cmocka_run_group_tests_name("player", tests, NULL, NULL);
+}

@@ -42,10 +42,17 @@ xdotool key l
 expect_shown 'bad.lua:1: sphere has no field' 'and in the first'
 xdotool key f && settled
 # The first of two lines of three thumbnails is bad, box, empty; the second begins with figure-08.
+xdotool type 'figure nothing'
+settled
+cp "$work/a.ppm" "$work/none.ppm"
+xdotool key ctrl+z ctrl+BackSpace
+differs none words && ok 'Ctrl and Backspace take a word away' || fail 'Ctrl and Backspace do nothing'
+xdotool key ctrl+BackSpace ctrl+BackSpace
 xdotool type glass
 settled
 xdotool mousemove --window "$window" 120 220 click 1
 expect_shown '^glass-sphere — .*finished' 'a search leaves one, and a click shows it'
+[[ $(title) =~ settings ]] && fail "it changed the settings: $(title)" || ok 'and the scene keeps its settings'
 xdotool key r && sleep 0.2
 xdotool key f
 expect_shown 'a lesson keeps to its scene' 'not while a lesson is recorded'

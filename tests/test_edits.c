@@ -176,7 +176,7 @@ static void test_leave(void **state) {
     assert_true(settle());
     run("leave");
     run("leave");
-    assert_status("press again to leave without saving");
+    assert_status("leave again to lose them");
     assert_false(app->exit.is_requested);
     run("leave");
     assert_true(app->exit.is_requested);

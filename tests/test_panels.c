@@ -27,6 +27,40 @@ static void check_help(Fixture *fixture) {
     fixture->window.help.is_open = false;
 }
 
+/** @return Where a text of the last frame lies below the upper edge of what shows it; -1: nowhere.
+ */
+static float depth_of(const Fixture *fixture, const char *words) {
+    const GuiText *texts;
+    const size_t count = gui_texts(fixture->window.gui, &texts);
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(texts[i].text, words) == 0) {
+            return texts[i].rect.y - texts[i].clip.y;
+        }
+    }
+    return -1;
+}
+
+/** The help that was scrolled begins at its top when it is opened again. */
+static void check_help_again(Fixture *fixture) {
+    Help *help = &fixture->window.help;
+    HelpList list;
+    help_write_list(help, &list);
+    const char *first = list.rows[0].text;
+    float depths[2];
+    for (int i = 0; i < 2; i++) {
+        assert_true(help_toggle(help));
+        check_frame(fixture, "help", 30);
+        depths[i] = depth_of(fixture, first);
+        assert_true(depths[i] >= 0);
+        help_handle_key(help, SDLK_END);
+        check_frame(fixture, "end of the help", 3);
+        assert_true(depth_of(fixture, first) < depths[i]);
+        assert_true(help_toggle(help));
+        window_present(&fixture->window);
+    }
+    assert_true(depths[1] == depths[0]);
+}
+
 /** Checks the legends of all layers. */
 static void check_layers(Fixture *fixture) {
     Window *window = &fixture->window;
@@ -114,6 +148,12 @@ static void check_search(Browser *browser) {
     assert_int_equal(found_with(browser, "boite"), found_with(browser, "boîte"));
     assert_int_equal(found_with(browser, "EPEE"), found_with(browser, "Épée"));
     assert_int_equal(found_with(browser, "glass  sphere"), 0);
+    browser_erase_word(browser);
+    assert_string_equal(browser->filter, "glass  ");
+    browser_erase_word(browser);
+    assert_string_equal(browser->filter, "");
+    browser_erase_word(browser);
+    assert_string_equal(browser->filter, "");
     if (language_is_french()) {
         assert_true(found_with(browser, "verite") + found_with(browser, "lumiere") > 0);
         // By the French name, and by that of the file.
@@ -253,6 +293,7 @@ static void check_list(Fixture *fixture) {
 /** The help. */
 static void test_help(void **state) {
     in_all_windows(state, check_help);
+    in_all_windows(state, check_help_again);
 }
 
 /** Places of the window whose colours are read, in each direction. */

@@ -108,6 +108,28 @@ static void test_space_after_answer(void **state) {
     assert_int_equal(player->state, PLAYER_RUNS);
 }
 
+/** Lets the lesson run until it stops by itself. */
+static void run_to_stop(void) {
+    while (opened.app.player.state == PLAYER_RUNS) {
+        frames();
+        SDL_Delay(1);
+    }
+}
+
+/** Space that comes as late as the explanation does not leave it; a little later it does. */
+static void test_space_with_explanation(void **state) {
+    (void)state;
+    frames();
+    assert_true(player_handle_digit(&opened.app, SDL_SCANCODE_2));
+    run_to_stop();
+    assert_at(PLAYER_WAITS, LESSON_EXPLAIN);
+    steer("time");
+    assert_at(PLAYER_WAITS, LESSON_EXPLAIN);
+    SDL_Delay(700);
+    steer("time");
+    assert_int_equal(opened.app.player.state, PLAYER_RUNS);
+}
+
 /** A pixel is marked until its rays are shown; steps back and on at once show the same rays. */
 static void test_marked_pixel(void **state) {
     (void)state;
@@ -132,6 +154,7 @@ static void test_marked_pixel(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_space_with_explanation, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, tear_down),
     };
     return cmocka_run_group_tests_name("player", tests, NULL, NULL);

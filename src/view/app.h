@@ -137,6 +137,8 @@ typedef struct Player {
     int answers[LESSON_QUESTIONS_MAXIMUM]; /**< Chosen answers, from 1; 0: none yet. */
     double initial_time;                   /**< The scene's time at its beginning, seconds. */
     double start_time;        /**< When its clock was 0, seconds on #clock_now_seconds. */
+    double stop_time;         /**< When it came to the stop, on the same clock; 0: the viewer went
+                                   there. */
     bool is_leaving;          /**< Whether the viewer has asked to end it. */
     ViewState paused_view;    /**< Camera and lights when it was paused; owned. */
     size_t paused_light;      /**< The selected light at that time. */

@@ -190,6 +190,10 @@ int draw_row(const GuiRow &row, ImVec2 corner, float label, float text, int sele
 /** @return Whether the selected row is another than in the frame before. */
 bool is_selection_new(int row) {
     int *last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("selected"), -1);
+    if (ImGui::IsWindowAppearing()) { // It was scrolled before it was closed.
+        ImGui::SetScrollY(0);
+        *last = -1;
+    }
     bool is_new = row >= 0 && *last != row;
     *last = row;
     return is_new;

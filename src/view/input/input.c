@@ -28,8 +28,8 @@ static void apply_browser_result(App *app, BrowserResult result) {
     window_present(&app->window);
 }
 
-/** Handles the help over the list of scenes: F1 opens it, F1 and Esc close it, and the list is there
- *  again. @return Whether the event was for the help. */
+/** Handles the help over the list of scenes: F1 opens it, F1 and Esc close it, and the list is
+ * there again. @return Whether the event was for the help. */
 static bool handle_help_over_list(App *app, const SDL_Event *event) {
     Help *help = &app->window.help;
     const SDL_Keycode key = event->type == SDL_KEYDOWN ? event->key.keysym.sym : SDLK_UNKNOWN;
@@ -45,6 +45,17 @@ static bool handle_help_over_list(App *app, const SDL_Event *event) {
     return key == SDLK_F1 || (was_open && (key != SDLK_UNKNOWN || event->type == SDL_TEXTINPUT));
 }
 
+/** Handles a key with Ctrl while the list of scenes is open: with Backspace it erases a word.
+ * Others, but the one that leaves, would change the scene below the list. @return Whether it was
+ * for the list. */
+static bool handle_browser_ctrl_key(App *app, SDL_Keysym key) {
+    if (key.sym == SDLK_BACKSPACE) {
+        browser_erase_word(&app->window.browser);
+        gui_request_frames(app->window.gui);
+    }
+    return !command_is(command_find_key(app->commands, key, app->settings->keys_by_letter), "quit");
+}
+
 /** Handles an event while the list of scenes is open. @return Whether it was for the list. */
 static bool handle_browser_event(App *app, const SDL_Event *event) {
     Browser *browser = &app->window.browser;
@@ -56,8 +67,11 @@ static bool handle_browser_event(App *app, const SDL_Event *event) {
     }
     switch (event->type) {
     case SDL_KEYDOWN:
-        if (event->key.keysym.mod & (KMOD_CTRL | WINDOW_MANAGER_MODIFIERS)) {
+        if (event->key.keysym.mod & WINDOW_MANAGER_MODIFIERS) {
             return false;
+        }
+        if (event->key.keysym.mod & KMOD_CTRL) {
+            return handle_browser_ctrl_key(app, event->key.keysym);
         }
         apply_browser_result(app, browser_key(browser, event->key.keysym.sym));
         return true;

@@ -63,10 +63,20 @@ static void open_next(App *app) {
     }
 }
 
+/** @return Whether an explanation has just come by itself: a key that was to bring it must not
+ * leave it. */
+static bool is_just_explained(const Player *player) {
+    /** How long a viewer takes to see it, seconds. */
+    const double grace = 0.6;
+    return player->stop < player->lesson->count &&
+           player->lesson->steps[player->stop].kind == LESSON_EXPLAIN &&
+           clock_now_seconds() - player->stop_time < grace;
+}
+
 /** Lets the lesson go on, or stops it; after an answer, shows at once whether it is right: a class
  *  that has answered waits for that, and not for a picture that stands still. */
 static void toggle_waiting(App *app) {
-    if (app->player.state == PLAYER_WAITS) {
+    if (app->player.state == PLAYER_WAITS && !is_just_explained(&app->player)) {
         player_resume(app);
     } else if (player_is_before_verdict(&app->player)) {
         step_on(app);

@@ -110,6 +110,7 @@ void player_show_stop(App *app, const LessonStep *step) {
     } else if (step->kind == LESSON_ASK) {
         player_stop(app, PLAYER_ASKS);
     } else if (waits || is_asked_for) {
+        player->stop_time = is_asked_for ? 0 : clock_now_seconds();
         player_stop(app, PLAYER_WAITS);
     } else {
         player_update_panel(app);

@@ -172,6 +172,20 @@ static void erase_character(Browser *browser) {
     apply_filter(browser);
 }
 
+void browser_erase_word(Browser *browser) {
+    static const char separators[] = " -_";
+    char *words = browser->filter;
+    size_t length = strlen(words);
+    while (length > 0 && strchr(separators, words[length - 1])) {
+        length--;
+    }
+    while (length > 0 && !strchr(separators, words[length - 1])) {
+        length--;
+    }
+    words[length] = '\0';
+    apply_filter(browser);
+}
+
 /* --- selecting -------------------------------------------------------------------------------- */
 
 void browser_select_current(Browser *browser) {

@@ -62,6 +62,9 @@ void browser_deinit(Browser *browser);
 /** Handles a key. */
 BrowserResult browser_key(Browser *browser, SDL_Keycode key);
 
+/** Takes the last word away that was typed. */
+void browser_erase_word(Browser *browser);
+
 /** Selects the first scene of a part, else of the other one, and scrolls to it. */
 void browser_go_to(Browser *browser, BrowserPart part);
 

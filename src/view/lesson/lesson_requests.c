@@ -66,8 +66,8 @@ static void open_next(App *app) {
 /** @return Whether an explanation has just come by itself: a key that was to bring it must not
  * leave it. */
 static bool is_just_explained(const Player *player) {
-    /** How long a viewer takes to see it, seconds. */
-    const double grace = 0.6;
+    /** In less than that nobody has read it, seconds. */
+    const double grace = 0.4;
     return player->stop < player->lesson->count &&
            player->lesson->steps[player->stop].kind == LESSON_EXPLAIN &&
            clock_now_seconds() - player->stop_time < grace;

@@ -4,6 +4,7 @@
  * settings, in the picture, in what lies over it.
  */
 #include "app_window.h"
+#include "no_thumbnails.h"
 
 #include "view/gui/typeface.h"
 
@@ -440,14 +441,6 @@ static void press(SDL_Keycode key) {
                                    .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
         input_handle_event(&opened.app, &event);
     }
-}
-
-/** @return No scene. See #ViewPreviewLoader. */
-static Scene *load_nothing(void *context, const char *path, const atomic_bool *stop,
-                           RenderSettings *render, Error *error) {
-    (void)context, (void)path, (void)stop, (void)render;
-    error_set(error, STATUS_SCENE, "%s", "no picture");
-    return NULL;
 }
 
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is

@@ -3,11 +3,7 @@
  * @brief Tests of leaving: what lies on top, a lesson, the program; the question before, and how it
  *        goes.
  */
-#include "app_window.h"
-
-#include "dioptre/script.h"
-#include "dioptre/view.h"
-#include "view/lesson/player.h"
+#include "lesson_window.h"
 
 /** A scene with a sphere to change. */
 static const char SCENE[] = "camera { position = {0, 0, 6}, look_at = {0, 0, 0} }\n"
@@ -20,9 +16,6 @@ static const char LESSON[] =
     "ask { en = \"Two?\", choices = { \"a\", \"b\" }, right = 1, because = \"So.\" }\n"
     "caption { en = \"Three\", wait = true }\n";
 
-/** The lesson of a test; owned. */
-static Lesson *lesson;
-
 /** Opens the window. @return 0 if it is open. */
 static int set_up(void **state) {
     (void)state;
@@ -31,28 +24,8 @@ static int set_up(void **state) {
 
 /** Opens the window with a lesson. @return 0 if it is open. */
 static int set_up_lesson(void **state) {
-    const char *names[VIEW_ACTIONS_MAXIMUM];
-    const ActionNames actions = {names, view_actions(names)};
-    Error error = {0};
-    if (set_up(state) != 0) {
-        return -1;
-    }
-    lesson = script_load_lesson(write_text("lesson.lua", LESSON), &actions, &error);
-    if (!lesson) {
-        print_error("%s\n", error.message);
-        return -1;
-    }
-    opened.settings.lesson = lesson;
-    opened.settings.lesson_path = opened.path;
-    player_begin(&opened.app);
-    return 0;
-}
-
-/** Closes both. @return 0 */
-static int close_lesson(void **state) {
-    player_end(&opened.app);
-    lesson_destroy(lesson);
-    return close_app_window(state);
+    (void)state;
+    return open_lesson_window(SCENE, LESSON);
 }
 
 /** Does what a frame does with the lesson and the status. */
@@ -232,9 +205,10 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_question_of_changes, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_question_of_recording, set_up, close_app_window),
-        cmocka_unit_test_setup_teardown(test_question_of_lesson, set_up_lesson, close_lesson),
-        cmocka_unit_test_setup_teardown(test_refusals, set_up_lesson, close_lesson),
-        cmocka_unit_test_setup_teardown(test_cross, set_up_lesson, close_lesson),
+        cmocka_unit_test_setup_teardown(test_question_of_lesson, set_up_lesson,
+                                        close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_refusals, set_up_lesson, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_cross, set_up_lesson, close_lesson_window),
     };
     return cmocka_run_group_tests_name("leaving", tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
  * @brief Panels in windows that are too narrow for them: a row of no width must not end the
  * program.
  */
+#include "no_thumbnails.h"
 #include "window_texts.h"
 
 /** Widest of the narrow windows, pixels: two thumbnails have room beside each other in it. */
@@ -38,17 +39,6 @@ static void test_help(void **state) {
     fixture->window.help.is_open = true;
     draw_narrow(fixture);
     fixture->window.help.is_open = false;
-}
-
-/** @return No scene. See #ViewPreviewLoader. */
-static Scene *load_nothing(void *context, const char *path, const atomic_bool *stop,
-                           RenderSettings *render, Error *error) {
-    (void)context;
-    (void)path;
-    (void)stop;
-    (void)render;
-    error_set(error, STATUS_SCENE, "%s", "no picture");
-    return NULL;
 }
 
 /** The list of scenes. */

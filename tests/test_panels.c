@@ -2,6 +2,7 @@
  * @file
  * @brief The panels over the picture in both languages, in small and large windows.
  */
+#include "no_thumbnails.h"
 #include "window_texts.h"
 
 /** The list of keys begins with that of the scenes and lessons; in a lesson with its own. */
@@ -119,17 +120,6 @@ static void check_captions(Fixture *fixture) {
     check_frame(fixture, "notice", 3);
     notice_set(&fixture->window.notice, "");
     caption_close(caption);
-}
-
-/** @return No scene. See #ViewPreviewLoader. */
-static Scene *load_nothing(void *context, const char *path, const atomic_bool *stop,
-                           RenderSettings *render, Error *error) {
-    (void)context;
-    (void)path;
-    (void)stop;
-    (void)render;
-    error_set(error, STATUS_SCENE, "%s", "no picture");
-    return NULL;
 }
 
 /** @return Number of scenes and lessons that are found with some words. */

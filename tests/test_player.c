@@ -2,11 +2,7 @@
  * @file
  * @brief Tests of lessons as a class plays them: Space after an answer, marked pixels, chosen rays.
  */
-#include "app_window.h"
-
-#include "dioptre/script.h"
-#include "dioptre/view.h"
-#include "view/lesson/player.h"
+#include "lesson_window.h"
 
 /** A mirror before a sphere, with one lamp: ray 0 from the eye, 1 to the lamp, 2 from the mirror.
  */
@@ -30,34 +26,10 @@ static const char LESSON[] =
     "wait(60)\n"
     "caption { en = \"Two\", wait = true }\n";
 
-/** The lesson; owned. */
-static Lesson *lesson;
-
 /** Opens the window with the lesson. @return 0 if it is open. */
 static int set_up(void **state) {
     (void)state;
-    const char *names[VIEW_ACTIONS_MAXIMUM];
-    const ActionNames actions = {names, view_actions(names)};
-    Error error = {0};
-    if (open_app_window(SCENE, "") != 0) {
-        return -1;
-    }
-    lesson = script_load_lesson(write_text("lesson.lua", LESSON), &actions, &error);
-    if (!lesson) {
-        print_error("%s\n", error.message);
-        return -1;
-    }
-    opened.settings.lesson = lesson;
-    opened.settings.lesson_path = opened.path;
-    player_begin(&opened.app);
-    return 0;
-}
-
-/** Closes both. @return 0 */
-static int tear_down(void **state) {
-    player_end(&opened.app);
-    lesson_destroy(lesson);
-    return close_app_window(state);
+    return open_lesson_window(SCENE, LESSON);
 }
 
 /** Does what some frames do. */
@@ -155,9 +127,9 @@ static void test_marked_pixel(void **state) {
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_space_with_explanation, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_space_with_explanation, set_up, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, close_lesson_window),
     };
     return cmocka_run_group_tests_name("player", tests, NULL, NULL);
 }

@@ -28,9 +28,9 @@ double projected_view_scale(const ProjectedView *view, Vec3d point) {
 }
 
 void projected_view_place(const ProjectedView *view, Vec3d p, double *x, double *y) {
-    double pixel = 2 * tan(view->camera.fov / 2 * (M_PI / 180)) / view->width;
-    *x = view->width / 2.0 + p.x / p.z / pixel;
-    *y = view->height / 2.0 - p.y / p.z / pixel;
+    const double scale = projected_view_scale_at(view, p.z);
+    *x = view->width / 2.0 + p.x * scale;
+    *y = view->height / 2.0 - p.y * scale;
 }
 
 bool projected_view_point(const ProjectedView *view, Vec3d point, double *x, double *y) {

@@ -81,7 +81,9 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     // A layer has one ray per pixel, whatever the picture has.
     int samples = viewport->layer == LAYER_SHADED ? settings->samples : 1;
     unsigned long count = (unsigned long)samples;
-    hud_add_row(hud, gettext("engine"), "%s", settings->engine->name);
+    char engine[ENGINE_WORDS_SIZE];
+    engine_words_write(settings->engine->name, engine);
+    hud_add_row(hud, gettext("engine"), "%s", engine);
     add_offset(hud, &settings->trace);
     hud_add_row(hud, gettext("depth"), ngettext("%d, %d sample", "%d, %d samples", count),
                 settings->trace.depth, samples);

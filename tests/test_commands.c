@@ -251,6 +251,104 @@ static void test_inspector_appears(void **state) {
     assert_true(gui_needs_frame(window->gui));
 }
 
+/** @return How many texts of the last frame contain some words. */
+static size_t count_texts(const char *words) {
+    const GuiText *texts;
+    const size_t count = gui_texts(opened.app.window.gui, &texts);
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        found += strstr(texts[i].text, words) != NULL;
+    }
+    return found;
+}
+
+/** Has the window drawn until all of it is where it belongs. */
+static void draw(void) {
+    for (int i = 0; i < 4; i++) {
+        window_present(&opened.app.window);
+    }
+}
+
+/** All things are listed: camera, lights, shapes; what is chosen is selected, and Esc leads back to
+ *  the list before it closes that. */
+static void test_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    assert_int_equal(count_texts("camera"), 1);
+    assert_int_equal(count_texts("lamp 1 (line 2)"), 1);
+    assert_int_equal(count_texts("sphere 1 (line 4)"), 1);
+    for (size_t i = 0; i < 5; i++) {
+        static const char *const keywords[] = {NULL, "light", "light", "sphere", "sdf"};
+        inspector->request = INSPECTOR_CHOOSE;
+        inspector->chosen = i;
+        edits_handle_requests(app);
+        draw();
+        assert_true(object_inspector_has_thing(inspector));
+        assert_int_equal(inspector->is_camera, i == 0);
+        assert_true(i == 0 || inspector->keyword == scene_object_keyword_find(keywords[i]));
+        assert_int_equal(inspector->number, i == 2 ? 2 : i > 0);
+        assert_int_equal(app->selected_light, i >= 2); // The one that was chosen stays so.
+        assert_true(count_texts(i == 0 ? "field of view" : "write into the file") > 0);
+        run("leave");
+        assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    }
+    run("leave");
+    assert_false(object_inspector_is_open(inspector) || app->exit.is_requested);
+    // From a thing its button leads to the list; once more closes it.
+    edits_click(app, 0.5, 0.5);
+    inspector->request = INSPECTOR_THINGS;
+    edits_handle_requests(app);
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    run("things");
+    assert_false(object_inspector_is_open(inspector));
+}
+
+/** Opens a window on a scene with very many things. @return 0 if it is open. */
+static int set_up_many(void **state) {
+    (void)state;
+    return open_app_window("camera { position = {0, 0, 6} }\nlight {}\n"
+                           "for i = 1, 20000 do sphere { center = {i, 0, 0}, radius = 0.1 } end\n",
+                           "");
+}
+
+/** Of very many things only those in sight are written. */
+static void test_many_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
+    assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
+    // It leads back to the thing that was chosen.
+    inspector->request = INSPECTOR_CHOOSE;
+    inspector->has_chosen = true;
+    inspector->chosen = 2 + 9999;
+    edits_handle_requests(app);
+    draw();
+    assert_int_equal(inspector->number, 10000);
+    run("leave");
+    draw();
+    assert_int_equal(count_texts("sphere 10000 (line 3)"), 1);
+    assert_true(count_texts("sphere") < 40);
+}
+
 /** Settings that change are shown for a while, but not over the toolbar's own. */
 static void test_shown_settings(void **state) {
     (void)state;
@@ -678,6 +776,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_undo_order, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_things, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_many_things, set_up_many, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),

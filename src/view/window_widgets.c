@@ -26,6 +26,7 @@ static void layout_bar(Window *window) {
                               .rays = window->ray_view.is_open ? &window->ray_view : NULL,
                               .shows_chart = window->settings_chart.is_open,
                               .shows_magnifier = window->magnifier.is_on,
+                              .lists_things = window->object_inspector.lists,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording,
@@ -214,7 +215,7 @@ void window_show_widgets(Window *window) {
         bottom = show_over_picture(window, area);
     }
     window_show_recording_sign(window, width);
-    window_show_messages(window, width, bottom);
+    window_show_messages(window, bottom);
     gui_end_frame(window->gui);
 }
 

@@ -135,6 +135,7 @@ static void show_rays(Window *window) {
         bool is_hovered = !gui_has_mouse() && SDL_GetMouseFocus() == window->sdl.window &&
                           window_ray_at(window, x, y, &hovered);
         window->ray_view.hovered = is_hovered ? hovered + 1 : 0;
+        window->ray_view.shows_hint = !window->is_presenting && !window->lesson_panel.lesson;
         ray_view_show_widgets(&window->ray_view, window->state.scene, &area, scale);
         if (window->toolbar.is_folded || window->is_presenting) {
             ray_view_show_own_row(&window->ray_view, &window->help, &area);

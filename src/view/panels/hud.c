@@ -211,9 +211,8 @@ static void write_title(const TitleContent *content, bool is_short, char title[T
 
 void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
     write_title(content, false, title);
-    // The message is what a reader looks for, and what the window manager would cut.
-    if (content->room > 0 && content->status_text[0] != '\0' &&
-        SDL_utf8strlen(title) > content->room) {
+    // The window manager would cut it anywhere, also in the message, which a reader looks for.
+    if (content->room > 0 && SDL_utf8strlen(title) > content->room) {
         write_title(content, true, title);
     }
 }

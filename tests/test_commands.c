@@ -114,6 +114,127 @@ static void test_settings(void **state) {
     assert_status("rays go ");
 }
 
+/** @return Whether what is chosen of the pictures is another than before. */
+static bool is_other_than(const PictureChoice *before) {
+    const PictureChoice now = window_choice(&opened.app.window);
+    return !picture_choice_is_same(before, &now, &opened.app.window.base_settings);
+}
+
+/** Each command that changes settings, layer or pictures is taken back by one undo, and done again.
+ */
+static void test_undo_choices(void **state) {
+    (void)state;
+    const PictureChoice first = window_choice(&opened.app.window);
+    for (const Command *row = command_table; command_is_row(row); row++) {
+        if (!(row->flags & COMMAND_CHOICE) || command_is(row, "as at first") ||
+            command_is(row, "layer light")) { // They are so already.
+            continue;
+        }
+        run_and_settle(row->name);
+        const PictureChoice then = window_choice(&opened.app.window);
+        if (!is_other_than(&first)) {
+            // One sample is the fewest.
+            assert_string_equal(row->name, "samples half");
+            continue;
+        }
+        run_and_settle("undo");
+        if (is_other_than(&first)) {
+            fail_msg("%s is not undone", row->name);
+        }
+        assert_string_equal(opened.app.title.status_text, ""); // It named the setting of before.
+        run_and_settle("redo");
+        assert_false(is_other_than(&then));
+        run("as at first");
+        assert_false(is_other_than(&first));
+        run_and_settle("undo");
+        assert_false(is_other_than(&then));
+        run_and_settle("as at first");
+    }
+}
+
+/** What a held key or a slider changes is one step; key presses are one each; a second picture and
+ *  the one that keys change come back, too. */
+static void test_undo_gesture(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const RenderSettings first = requested();
+    const Command *twice = command_find(command_table, "epsilon twice");
+    for (int gesture = 0; gesture < 2; gesture++) {
+        command_issue(app, twice, clock_now_seconds());
+        command_continue(app, twice, clock_now_seconds());
+        command_continue(app, twice, clock_now_seconds());
+    }
+    assert_true(requested().trace.epsilon == 64 * first.trace.epsilon);
+    run_and_settle("undo");
+    assert_true(requested().trace.epsilon == 8 * first.trace.epsilon);
+    run_and_settle("undo");
+    assert_true(requested().trace.epsilon == first.trace.epsilon);
+    assert_int_equal(requested().trace.offset, first.trace.offset);
+    run("deeper");
+    run("deeper");
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth + 1);
+    run_and_settle("split");
+    run_and_settle("samples twice"); // Of the right picture.
+    run("other side");
+    run_and_settle("undo");
+    assert_int_equal(app->window.split.active, 1);
+    assert_int_equal(requested().samples, first.samples);
+    run_and_settle("undo");
+    assert_int_equal(window_viewport_count(&app->window), 1);
+}
+
+/** Settings, moves and changes of objects are taken back in the order in which they were made. */
+static void test_undo_order(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const RenderSettings first = requested();
+    const double fov = app->scene->camera.fov;
+    const int sphere = scene_object_keyword_find("sphere");
+    const SceneOverride wider = {sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    run("deeper");
+    edits_set(app, &wider, false);
+    assert_true(settle());
+    run("deeper");
+    app_zoom(app, 1);
+    run("layer normals");
+    assert_true(settle());
+    const Viewport *viewport = &app->window.viewports[0];
+    run_and_settle("undo");
+    assert_int_equal(viewport->layer, LAYER_SHADED);
+    assert_true(app->scene->camera.fov < fov);
+    run_and_settle("undo");
+    assert_true(app->scene->camera.fov == fov);
+    assert_int_equal(requested().trace.depth, first.trace.depth + 2);
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth + 1);
+    assert_int_equal(edit_history_in_force(&app->edits), 1);
+    run_and_settle("undo");
+    assert_int_equal(edit_history_in_force(&app->edits), 0);
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth);
+    run("undo");
+    assert_status("there is nothing to undo");
+    for (int i = 0; i < 5; i++) {
+        run_and_settle("redo");
+    }
+    assert_int_equal(requested().trace.depth, first.trace.depth + 2);
+    assert_int_equal(edit_history_in_force(&app->edits), 1);
+    assert_int_equal(viewport->layer, LAYER_NORMALS);
+    assert_true(app->scene->camera.fov < fov);
+    // The file is written anew: no change of an object is left to be undone before the others.
+    SDL_Delay(20);
+    write_text("scene.lua", SCENE);
+    current_scene_on_file_event(app);
+    assert_true(settle());
+    run_and_settle("undo");
+    assert_int_equal(viewport->layer, LAYER_SHADED);
+    run_and_settle("undo");
+    run_and_settle("undo");
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth);
+}
+
 /** The inspector that appears asks for the frames that show it: its first one finds its size. */
 static void test_inspector_appears(void **state) {
     (void)state;
@@ -552,6 +673,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_choices, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_gesture, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_order, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),

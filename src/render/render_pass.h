@@ -24,6 +24,10 @@ enum { TILE_COLUMNS = 64, TILE_ROWS = 16 };
  *  milliseconds. */
 enum { COARSEST_STRIDE = 8 };
 
+/** Seconds that all processors are left to the window after a preview: two frames of a 60 Hz
+ *  screen. The slow passes that follow would hold up the preview on its way to the screen. */
+#define PREVIEW_PAUSE (2.0 / 60)
+
 /** A pass over the whole picture. */
 typedef struct PassRange {
     int stride;       /**< Pixels from one ray to the next; 0: before the first pass. */

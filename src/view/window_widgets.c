@@ -92,6 +92,7 @@ static void show_help(Window *window, const GuiRect *area) {
     if (window->help.requested) {
         window->toolbar.command = window->help.requested->name;
         window->toolbar.repetitions = 1;
+        window->toolbar.continues = false;
         window->help.requested = NULL;
     }
 }

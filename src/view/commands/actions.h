@@ -67,7 +67,7 @@ void action_swap_side(App *app, int argument);
 /** Moves the bar between two pictures. */
 void action_move_bar(App *app, int direction);
 
-/** Takes the last change of an object back. */
+/** Takes the last change back. See #edits_undo. */
 void action_undo(App *app, int argument);
 
 /** Does the change again that was taken back. */

@@ -284,20 +284,30 @@ static void record_set(App *app, const SceneOverride *edit, bool continues) {
     }
 }
 
-void edits_undo(App *app) {
-    if (view_history_undo(&app->moves, &app->home_view, app->scene,
-                          edit_history_in_force(&app->edits))) {
+/** Takes the last move or choice back, or does it again. @return Whether there is any. */
+static bool step_view(App *app, ViewHistoryStepFn *do_step) {
+    PictureChoice choice = window_choice(&app->window);
+    const ViewTarget target = {&app->home_view, app->scene, &choice};
+    const ViewStep *step = do_step(&app->moves, &target, edit_history_in_force(&app->edits));
+    if (step && step->is_choice) {
+        window_choose(&app->window, &choice);
+        app_clear_status(app); // It may name a setting that is another one now.
+        window_end_toast(&app->window);
+        window_tell_settings(&app->window);
+    } else if (step) {
         app_on_view_changed(app);
-    } else if (!edit_history_undo(&app->edits)) {
+    }
+    return step != NULL;
+}
+
+void edits_undo(App *app) {
+    if (!step_view(app, view_history_undo) && !edit_history_undo(&app->edits)) {
         app_set_status(app, "there is nothing to undo");
     }
 }
 
 void edits_redo(App *app) {
-    if (view_history_redo(&app->moves, &app->home_view, app->scene,
-                          edit_history_in_force(&app->edits))) {
-        app_on_view_changed(app);
-    } else if (!edit_history_redo(&app->edits)) {
+    if (!step_view(app, view_history_redo) && !edit_history_redo(&app->edits)) {
         app_set_status(app, "there is nothing to do again");
     }
 }

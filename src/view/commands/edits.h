@@ -65,7 +65,7 @@ void edits_set(App *app, const SceneOverride *override, bool continues);
  *  belongs to the change before it. */
 void edits_move(App *app, int keyword, int number, Vec3d offset, bool continues);
 
-/** Takes the last change back, of an object or of camera and lights. */
+/** Takes the last change back: of an object, of camera and lights, of settings and layer. */
 void edits_undo(App *app);
 
 /** Does the change again that was taken back last. */

@@ -27,6 +27,7 @@ static void request(Toolbar *toolbar, const char *command, int repetitions) {
     if (repetitions > 0) {
         toolbar->command = command;
         toolbar->repetitions = repetitions;
+        toolbar->continues = false;
     }
 }
 
@@ -114,7 +115,10 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
             tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
         int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
+        toolbar->continues = toolbar->is_continuing;
+        toolbar->is_continuing = toolbar->is_continuing || steps != 0;
     }
+    toolbar->is_continuing = toolbar->is_continuing && gui_is_editing();
 }
 
 /** The settings of a ray: offset, number type, depth. */

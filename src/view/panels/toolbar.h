@@ -21,6 +21,8 @@ typedef struct Toolbar {
     float usual_height;  /**< The same, without rays; with them: before they were shown. */
     const char *command; /**< Name of the command that the user requests; NULL: none. */
     int repetitions;     /**< How many times it is to be issued. */
+    bool continues;      /**< Whether it belongs to the change before: a slider is still held. */
+    bool is_continuing;  /**< Whether the slider that is held has changed anything yet. */
 } Toolbar;
 
 /** What the bar shows. */

@@ -120,6 +120,34 @@ static void test_estimates(void **state) {
     }
 }
 
+/** In dense glass with irregular paths, or with a mirror in it, double is wrong too, and that is
+ * said; not of regular paths, and not of few turns. */
+static void test_chaotic_light(void **state) {
+    (void)state;
+    static const struct {
+        const char *path; /**< The file of a scene. */
+        double ior;       /**< Index of its glass. */
+        int depth;        /**< Recursion depth. */
+        bool is_said;     /**< Whether users are told. */
+    } rows[] = {{"tests/scenes/round-glass.lua", 2.42, IMAGE_DEPTH_AUTO, true},
+                {"tests/scenes/round-glass.lua", 2.42, 8, false},
+                {"tests/scenes/mirror-in-glass.lua", 2.42, IMAGE_DEPTH_AUTO, true},
+                {"tests/scenes/mirror-in-glass.lua", 1.33, IMAGE_DEPTH_AUTO, false},
+                {"tests/scenes/regular-glass.lua", 2.42, IMAGE_DEPTH_AUTO, false}};
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        Scene *scene = load_small_scene(rows[i].path);
+        scene->image.depth = rows[i].depth;
+        for (size_t k = 0; k < scene->material_count; k++) {
+            scene->materials[k].ior = rows[i].ior;
+        }
+        PrecisionEstimate estimate = precision_estimate_of(scene);
+        if ((estimate.chaotic_fraction >= PRECISION_CHAOS_SAID) != rows[i].is_said) {
+            fail_msg("row %zu: %s: %g", i, rows[i].path, estimate.chaotic_fraction);
+        }
+        scene_destroy(scene);
+    }
+}
+
 /** At few turns, light in overlapping glass is exact in float: double is not chosen. */
 static void test_shallow_glass_needs_no_double(void **state) {
     (void)state;
@@ -648,6 +676,7 @@ static void test_error_is_largest(void **state) {
 /** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_estimates),
+                                       cmocka_unit_test(test_chaotic_light),
                                        cmocka_unit_test(test_shallow_glass_needs_no_double),
                                        cmocka_unit_test(test_near_surfaces),
                                        cmocka_unit_test(test_harmless_neighbours),

@@ -102,6 +102,13 @@ RenderSettings command_print_notes(const Options *options, const Scene *scene) {
                         "through its own facet, rounding decides what is seen; flat ones do not\n"),
                 estimate.smooth_glass_line);
     }
+    if (estimate.chaotic_fraction >= PRECISION_CHAOS_SAID && !options->quiet) {
+        fprintf(
+            stderr,
+            gettext("dioptre: glass that traps light on chaotic paths: some %.1g %% of the pixels "
+                    "may hang on the last bit, in double too\n"),
+            100 * estimate.chaotic_fraction);
+    }
     return settings_from(options, scene, &estimate);
 }
 

@@ -395,6 +395,8 @@ static void accumulate_turns(SceneMeasures *measures) {
     keep_largest_error(estimate, PRECISION_TRAPPED_LIGHT,
                        mirrored_light_error(measures->glass, measures->glass_count,
                                             measures->mirrors, measures->mirror_count, &view));
+    estimate->chaotic_fraction = chaotic_light_fraction(
+        measures->glass, measures->glass_count, measures->mirrors, measures->mirror_count, &view);
 }
 
 /** @return The cause with the largest error. */

@@ -20,6 +20,9 @@
 /** Fraction of the pixels that may be wrong. */
 #define PRECISION_FRACTION_ALLOWED 1e-4
 
+/** #PrecisionEstimate.chaotic_fraction from which on users are told. */
+#define PRECISION_CHAOS_SAID 5e-4
+
 /** What magnifies rounding errors. */
 typedef enum {
     PRECISION_DISTANCE,          /**< Distance of a shape relative to its size. */
@@ -46,10 +49,12 @@ typedef struct PrecisionEstimate {
     double pixel_angle;           /**< Angle of a pixel, radians. */
     double max_secondary_weight;  /**< Largest reflectance plus transmittance of a surface. */
     int bounces;                  /**< Number of bounces on curved surfaces that were counted. */
-    int depth;             /**< Recursion depth beyond which no ray can change an 8-bit value. */
-    int smooth_glass_line; /**< Line of the first transparent mesh with interpolated normals; 0:
-                                there is none. A ray that is reflected by such a normal may leave
-                                through the facet itself: then rounding decides, in every engine. */
+    int depth;               /**< Recursion depth beyond which no ray can change an 8-bit value. */
+    double chaotic_fraction; /**< Part of the picture that is wrong in double, too: light that
+                                  glass traps on chaotic paths. */
+    int smooth_glass_line;   /**< Line of the first transparent mesh with interpolated normals; 0:
+                                  there is none. A ray that is reflected by such a normal may leave
+                                  through the facet itself: then rounding decides, in every engine. */
 } PrecisionEstimate;
 
 /** @return The estimate for a scene. It takes the time of #z_fighting_of, and one in proportion to

@@ -47,4 +47,9 @@ double trapped_light_error(const GlassShape *shapes, size_t count, const GlassVi
 double mirrored_light_error(const GlassShape *shapes, size_t count, const GlassShape *mirrors,
                             size_t mirror_count, const GlassView *view);
 
+/** @return The part of the picture that is wrong in double, too: paths in fields and around mirrors
+ *          diverge faster than its bits suffice for. See mirrored_light_error(). */
+double chaotic_light_fraction(const GlassShape *shapes, size_t count, const GlassShape *mirrors,
+                              size_t mirror_count, const GlassView *view);
+
 #endif

@@ -7,6 +7,7 @@
 #include "no_thumbnails.h"
 
 #include "view/gui/typeface.h"
+#include "view/window_internal.h"
 
 /** A scene with two lights, glass, a mirror and a field that is marched to. */
 static const char SCENE[] =
@@ -249,6 +250,104 @@ static void test_inspector_appears(void **state) {
     run("next thing");
     assert_true(window->object_inspector.number > 0);
     assert_true(gui_needs_frame(window->gui));
+}
+
+/** @return How many texts of the last frame contain some words. */
+static size_t count_texts(const char *words) {
+    const GuiText *texts;
+    const size_t count = gui_texts(opened.app.window.gui, &texts);
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        found += strstr(texts[i].text, words) != NULL;
+    }
+    return found;
+}
+
+/** Has the window drawn until all of it is where it belongs. */
+static void draw(void) {
+    for (int i = 0; i < 4; i++) {
+        window_present(&opened.app.window);
+    }
+}
+
+/** All things are listed: camera, lights, shapes; what is chosen is selected, and Esc leads back to
+ *  the list before it closes that. */
+static void test_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    assert_int_equal(count_texts("camera"), 1);
+    assert_int_equal(count_texts("lamp 1 (line 2)"), 1);
+    assert_int_equal(count_texts("sphere 1 (line 4)"), 1);
+    for (size_t i = 0; i < 5; i++) {
+        static const char *const keywords[] = {NULL, "light", "light", "sphere", "sdf"};
+        inspector->request = INSPECTOR_CHOOSE;
+        inspector->chosen = i;
+        edits_handle_requests(app);
+        draw();
+        assert_true(object_inspector_has_thing(inspector));
+        assert_int_equal(inspector->is_camera, i == 0);
+        assert_true(i == 0 || inspector->keyword == scene_object_keyword_find(keywords[i]));
+        assert_int_equal(inspector->number, i == 2 ? 2 : i > 0);
+        assert_int_equal(app->selected_light, i >= 2); // The one that was chosen stays so.
+        assert_true(count_texts(i == 0 ? "field of view" : "write into the file") > 0);
+        run("leave");
+        assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    }
+    run("leave");
+    assert_false(object_inspector_is_open(inspector) || app->exit.is_requested);
+    // From a thing its button leads to the list; once more closes it.
+    edits_click(app, 0.5, 0.5);
+    inspector->request = INSPECTOR_THINGS;
+    edits_handle_requests(app);
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    run("things");
+    assert_false(object_inspector_is_open(inspector));
+}
+
+/** Opens a window on a scene with very many things. @return 0 if it is open. */
+static int set_up_many(void **state) {
+    (void)state;
+    return open_app_window("camera { position = {0, 0, 6} }\nlight {}\n"
+                           "for i = 1, 20000 do sphere { center = {i, 0, 0}, radius = 0.1 } end\n",
+                           "");
+}
+
+/** Of very many things only those in sight are written. */
+static void test_many_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
+    assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
+    // It leads back to the thing that was chosen.
+    inspector->request = INSPECTOR_CHOOSE;
+    inspector->has_chosen = true;
+    inspector->chosen = 2 + 9999;
+    edits_handle_requests(app);
+    draw();
+    assert_int_equal(inspector->number, 10000);
+    run("leave");
+    draw();
+    assert_int_equal(count_texts("sphere 10000 (line 3)"), 1);
+    assert_true(count_texts("sphere") < 40);
 }
 
 /** Settings that change are shown for a while, but not over the toolbar's own. */
@@ -564,6 +663,24 @@ static void press(SDL_Keycode key) {
     }
 }
 
+/** A key takes the readout away once the mouse has rested for some seconds; motion brings it back,
+ *  and the magnifier keeps it. */
+static void test_readout_of_resting_mouse(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    SDL_Event motion = {.motion = {.type = SDL_MOUSEMOTION, .x = 20, .y = 20}};
+    input_handle_event(&opened.app, &motion);
+    press(SDLK_3);
+    assert_false(window->is_mouse_left); // Just moved.
+    window->mouse_time -= 6;
+    press(SDLK_1);
+    assert_true(window->is_mouse_left);
+    window_read_pixel(window);
+    assert_false(window->readout.is_shown);
+    input_handle_event(&opened.app, &motion);
+    assert_false(window->is_mouse_left);
+}
+
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
  *  there again. */
 static void test_help_over_list(void **state) {
@@ -678,6 +795,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_undo_order, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_things, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_many_things, set_up_many, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),
@@ -688,6 +807,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_readout_of_resting_mouse, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),

@@ -24,6 +24,8 @@
 
 /** Seconds from one move of held keys to the next: a frame of a 60 Hz screen. */
 static const double MOVE_INTERVAL = 0.016;
+/** Width of a letter in the titles of usual window managers, screen units. */
+enum { TITLE_LETTER_WIDTH = 8 };
 /** Minimum seconds between two titles while a picture is drawn, so that they can be read. */
 static const double TITLE_INTERVAL = 0.25;
 
@@ -123,6 +125,8 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    int window_width = 0;
+    SDL_GetWindowSize(window->sdl.window, &window_width, NULL);
     // Times and rays of other settings would be read as those of the new ones.
     bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = shown_name(app),
@@ -134,7 +138,8 @@ static void update_title(App *app, double now) {
                             .is_recording = app_is_recording(app),
                             .light = app->selected_light,
                             .light_count = app->scene->light_count,
-                            .status_text = app->title.status_text};
+                            .status_text = app->title.status_text,
+                            .room = (size_t)SDL_max(1, window_width / TITLE_LETTER_WIDTH)};
     char title[TITLE_SIZE];
     title_write(&content, title);
     if (strcmp(title, SDL_GetWindowTitle(window->sdl.window)) != 0) {

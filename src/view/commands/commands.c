@@ -140,6 +140,7 @@ const Command command_table[] = {
     {"next thing", {KEY(F3)}, N_("thing"), OBJECTS, .help = N_("select the next thing (Shift: before)"), .flags = COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, 1)},
     {"thing before", {KEY(F3)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, -1)},
     {"inspector keys", {KEY(F10)}, N_("edit"), OBJECTS, .help = N_("its values by keys: arrows; Esc: back"), .flags = COMMAND_UNRECORDED, RUNS(action_take_keyboard, 0)},
+    {"things", {KEY(F10)}, NULL, OBJECTS, .help = N_("all things of the scene: a list"), .flags = COMMAND_SHIFT | COMMAND_UNRECORDED, RUNS(action_list_things, 0)},
     {"undo", {KEY(z)}, NULL, OBJECTS, .help = N_("take a change back, do it again"), .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(action_undo, 0)},
     {"redo", {KEY(y)}, NULL, OBJECTS, .help = N_("take a change back, do it again"), .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(action_redo, 0)},
     {"undo back", {KEY(z)}, .flags = COMMAND_CTRL | COMMAND_SHIFT | COMMAND_REPEATS, RUNS(action_redo, 0)},

@@ -8,6 +8,7 @@
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/recorder.h"
+#include "view/panels/thing_list.h"
 #include "view/state/scene_text.h"
 
 #include <string.h>
@@ -24,8 +25,12 @@ void edits_select(App *app, int keyword, int number, const Uvd *pixel) {
     ObjectInspector *inspector = &app->window.object_inspector;
     SceneObject object;
     bool is_known = number > 0 && scene_object_find(app->scene, keyword, number, &object);
-    *inspector = (ObjectInspector){
-        .keyword = keyword, .number = is_known ? number : 0, .has_pixel = is_known && pixel};
+    *inspector = (ObjectInspector){.keyword = keyword,
+                                   .number = is_known ? number : 0,
+                                   .has_pixel = is_known && pixel,
+                                   .lists = inspector->lists,
+                                   .has_chosen = inspector->has_chosen,
+                                   .chosen = inspector->chosen};
     if (is_known && is_light(&object)) {
         app->selected_light = object.index;
     }
@@ -137,9 +142,31 @@ void edits_select_next(App *app, int step) {
 }
 
 bool edits_close(App *app) {
-    bool is_open = app->window.object_inspector.number > 0;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    const bool is_open = object_inspector_is_open(inspector);
+    inspector->lists = inspector->lists && object_inspector_has_thing(inspector);
     select_object(app, NULL, NULL);
     return is_open;
+}
+
+void edits_list(App *app) {
+    app->window.object_inspector.lists = true;
+    select_object(app, NULL, NULL);
+}
+
+/** Selects what was chosen in the list of all things. */
+static void choose_thing(App *app) {
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (inspector->is_by_mouse) {
+        gui_take_keyboard(app->window.gui); // The next key is for the picture.
+    }
+    if (inspector->chosen == THING_CAMERA) {
+        select_object(app, NULL, NULL);
+        inspector->is_camera = true;
+    } else if (inspector->chosen < thing_list_count(app->scene)) {
+        const SceneObject object = thing_list_object(app->scene, inspector->chosen);
+        select_object(app, &object, NULL);
+    }
 }
 
 /* --- changing --------------------------------------------------------------------------------- */
@@ -353,6 +380,12 @@ static void handle_request(App *app, InspectorRequest request) {
         break;
     case INSPECTOR_RAYS: // Of the pixel that was clicked, wherever the mouse is now.
         command_show_rays(app, app->window.ray_view.x, app->window.ray_view.y);
+        break;
+    case INSPECTOR_THINGS:
+        issue(app, "things");
+        break;
+    case INSPECTOR_CHOOSE:
+        choose_thing(app);
         break;
     case INSPECTOR_NO_REQUEST:
         break;

@@ -39,8 +39,12 @@ void edits_drag(App *app, Vec3d offset, bool continues);
 /** Carries out what the inspector requests. */
 void edits_handle_requests(App *app);
 
-/** Selects nothing, which closes the inspector. @return false if nothing was selected. */
+/** Selects nothing, which closes the inspector, or leads back to its list; closes the list, if
+ *  nothing was selected. @return false if neither was there. */
 bool edits_close(App *app);
+
+/** Selects nothing, and shows the list of all things. */
+void edits_list(App *app);
 
 /** Copies the selected object as text of the scene language. */
 void edits_copy(App *app);

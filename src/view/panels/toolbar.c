@@ -224,6 +224,7 @@ static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
     command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
     command_button(toolbar, content, gettext("magnifier"), "magnifier", content->shows_magnifier);
+    command_button(toolbar, content, "▤", "things", content->lists_things);
     possible_button(toolbar, content, "↩", "undo", content->can_undo);
     possible_button(toolbar, content, "↪", "redo", content->can_redo);
 }

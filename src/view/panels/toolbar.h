@@ -35,6 +35,7 @@ typedef struct ToolbarContent {
     RayView *rays;                  /**< The rays that are shown; NULL: none. */
     bool shows_chart;               /**< Whether the chart of settings is shown. */
     bool shows_magnifier;           /**< Whether pixels are magnified. */
+    bool lists_things;              /**< Whether the things of the scene are listed. */
     bool is_animated;               /**< Whether the scene depends on time. */
     bool is_running;                /**< Whether its time runs. */
     bool is_recording;              /**< Whether a lesson is recorded. */

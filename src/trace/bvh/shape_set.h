@@ -16,6 +16,7 @@ typedef struct ShapeSet {
     Aabb *linear_bounds;     /**< Their bounding boxes, LANES per element; owned. */
     size_t linear_count;     /**< Number of #linear. */
     size_t bvh_threshold;    /**< Number of bounded shapes from which on there is a BVH. */
+    bool may_exceed_box;     /**< Whether there is a shape for which shape_exceeds_box(). */
     bool bvh_over_instances; /**< Whether the BVH contains shapes with a BVH of their own. */
     Bvh bvh;                 /**< BVH over indices in #shapes; without nodes if there is none. */
 } ShapeSet;

@@ -223,16 +223,17 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask 
 
 /* --- all shapes ------------------------------------------------------------------------------ */
 
-/** @return The intervals of a packet, where they are used: not without shapes. */
+/** @return The intervals of a packet, where they are used: not without shapes. A beam has them for
+ *          less; but those are wider by roundings, which would show at a shape that exceeds its
+ *          box. */
 static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) {
-    return set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
+    return set->count == 0                            ? (PacketIntervals){0}
+           : packet->has_beam && !set->may_exceed_box ? beam_intervals(&packet->beam)
+                                                      : packet_intervals(packet);
 }
 
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
-    bool may_meet = LANES == 1 || set->bvh.nodes;
-    for (size_t i = 0; !may_meet && i < set->linear_count; i++) {
-        may_meet = shape_exceeds_box(set->linear[i]);
-    }
+    bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t block = 0; !may_meet && block < aabb_pack_count(set->linear_count); block++) {
         may_meet = linear_candidates(set, intervals, block).remaining != 0;
     }

@@ -124,6 +124,7 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
         LightSample sample;
         mask occluded[PACKET_VECTORS];
         sample.shadow_rays.wants_points = false;
+        sample.shadow_rays.has_beam = false;
         lights[i].sample(&lights[i], i, offset, surface, &sample);
         if (lights[i].methods & METHOD_SHADOW_BEYOND) {
             report_shadow_extend(&sample);

@@ -22,6 +22,12 @@
     NUMBER(diffuse, (scalar)scene->diffuse)     /* Weight of diffuse light. */                     \
     NUMBER(shininess, (scalar)scene->shininess) /* Exponent of highlights. */
 
+/** What light does at a material besides being scattered: a set of these. */
+enum {
+    MATERIAL_SHINES = 1, /**< It has highlights. */
+    MATERIAL_TURNS = 2   /**< It reflects or transmits rays. */
+};
+
 /** A material. See #MATERIAL_PROPERTIES. */
 typedef struct Material {
 #define COLOR(name, value) Rgbs name;
@@ -29,6 +35,7 @@ typedef struct Material {
     MATERIAL_PROPERTIES(COLOR, NUMBER)
 #undef COLOR
 #undef NUMBER
+    unsigned traits; /**< #MATERIAL_SHINES, #MATERIAL_TURNS. */
 } Material;
 
 /** The materials at the hits of LANES rays. See #MATERIAL_PROPERTIES. */

@@ -79,6 +79,11 @@ INLINE Vec3s vec3s_narrow(Vec3sw p) {
     return (Vec3s){(scalar)p.x, (scalar)p.y, (scalar)p.z};
 }
 
+/** @return A vector that is the same in all lanes. */
+INLINE Vec3s vec3s_first_lane(Vec3 v) {
+    return (Vec3s){real_lane(v.x, 0), real_lane(v.y, 0), real_lane(v.z, 0)};
+}
+
 /** @return A vector in all lanes. */
 INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};
@@ -164,6 +169,26 @@ INLINE wide vec3w_dot(Vec3w a, Vec3w b) {
 /** @return a x b. */
 INLINE Vec3w vec3w_cross(Vec3w a, Vec3w b) {
     return (Vec3w){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/** @return The absolute value. */
+INLINE scalar scalar_abs(scalar x) {
+    return x < 0 ? -x : x;
+}
+
+/** @return a + b. */
+INLINE Vec3s vec3s_add(Vec3s a, Vec3s b) {
+    return (Vec3s){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/** @return s v. */
+INLINE Vec3s vec3s_scale(Vec3s v, scalar s) {
+    return (Vec3s){v.x * s, v.y * s, v.z * s};
+}
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+INLINE scalar vec3s_abs_sum(Vec3s v) {
+    return scalar_abs(v.x) + scalar_abs(v.y) + scalar_abs(v.z);
 }
 
 /** @return a - b. */

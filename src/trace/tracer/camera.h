@@ -63,27 +63,33 @@ typedef struct GridPosition {
     int row;    /**< From the top. */
 } GridPosition;
 
-/** @return The pixel of the first lane of a vector; it may lie beyond the grid. The other lanes
- *          follow in its row. @param index Index of the packet; no pixels are selected. */
-static inline GridPosition grid_vector_position(const PixelGrid *grid, int index, int v) {
+/** @return The first pixel of a packet. @param index Its index; no pixels are selected. */
+static inline GridPosition grid_packet_position(const PixelGrid *grid, int index) {
     int across = grid_packet_columns(grid);
-    return (GridPosition){index % across * PACKET_COLUMNS + v * LANES % PACKET_COLUMNS,
-                          index / across * PACKET_ROWS + v * LANES / PACKET_COLUMNS};
+    return (GridPosition){index % across * PACKET_COLUMNS, index / across * PACKET_ROWS};
 }
 
-/**
- * @return Intervals that contain all camera rays of a grid of which no pixels are selected,
- * rounding included. Directions are of any length. An axis along which rays go both ways clips
- *         nothing.
- */
-PacketIntervals camera_grid_intervals(const Camera *camera, const PixelGrid *grid,
-                                      PixelJitter jitter);
+/** @return Whether all pixels of a packet lie in a grid. @param first Its first pixel. */
+static inline bool grid_has_whole_packet(const PixelGrid *grid, GridPosition first) {
+    return first.column + PACKET_COLUMNS <= grid->columns && first.row + PACKET_ROWS <= grid->rows;
+}
+
+/** @return The pixel of the first lane of a vector; it may lie beyond the grid. The other lanes
+ *          follow in its row. @param first The first pixel of the packet. */
+static inline GridPosition grid_vector_position(GridPosition first, int v) {
+    return (GridPosition){first.column + v * LANES % PACKET_COLUMNS,
+                          first.row + v * LANES / PACKET_COLUMNS};
+}
+
+/** @return The beam of all camera rays of a grid of which no pixels are selected. */
+Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter);
 
 /**
  * Generates the camera rays of a packet.
  * @param jitter  Where in its pixel each ray goes.
  * @param index  Index of the packet, below grid_packet_count().
- * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid.
+ * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid. They have a
+ *         beam, unless pixels are selected.
  */
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                           int index, Packet *packet);

@@ -92,6 +92,31 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              real_reduce_max(limit)};
 }
 
+/** @return The interval of a beam along one axis. @param axis, half_width The component of its axis,
+ *  and how far others are from it. @param length Shortest and longest of its directions, before
+ *  they are normalized. */
+static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_width,
+                                       const scalar length[2]) {
+    scalar low = axis - half_width, high = axis + half_width;
+    AxisInterval both_ways = {origin, origin, -INFINITE, INFINITE};
+    return low > 0    ? (AxisInterval){origin, origin, length[0] / high, length[1] / low}
+           : high < 0 ? (AxisInterval){origin, origin, length[1] / high, length[0] / low}
+                      : both_ways;
+}
+
+PacketIntervals beam_intervals(const Beam *beam) {
+    const Vec3s *o = &beam->origin, *a = &beam->axis, *r = &beam->across, *u = &beam->up;
+    scalar middle = SCALAR_SQRT(a->x * a->x + a->y * a->y + a->z * a->z);
+    scalar width = vec3s_abs_sum(*r) + vec3s_abs_sum(*u), slack = BEAM_SLACK * (middle + width);
+    scalar shortest = middle - width - slack;
+    const scalar length[2] = {shortest > 0 ? shortest : 0, middle + width + slack};
+    return (PacketIntervals){
+        {beam_axis_interval(o->x, a->x, scalar_abs(r->x) + scalar_abs(u->x) + slack, length),
+         beam_axis_interval(o->y, a->y, scalar_abs(r->y) + scalar_abs(u->y) + slack, length),
+         beam_axis_interval(o->z, a->z, scalar_abs(r->z) + scalar_abs(u->z) + slack, length)},
+        INFINITE};
+}
+
 /** Clips the interval of distances in which any ray can be between two planes, for rays whose
  *  directions are positive along the axis. NaN, for which comparisons are false, clips nothing.
  *  @param[in,out] near Lower bound of the distance, per box. */

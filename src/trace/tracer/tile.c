@@ -14,12 +14,14 @@
 
 /** Writes the first lanes. @param count How many; all of them is the fast case. */
 INLINE void real_store_lanes(double *out, real x, int count) {
+#if LANES > 1
     if (count == LANES) {
-        for (int i = 0; i < LANES; i++) {
-            out[i] = (double)real_lane(x, i);
-        }
+        // Of engines with several lanes, the wider type is double.
+        wide numbers = widen(x);
+        memcpy(out, &numbers, sizeof numbers);
         return;
     }
+#endif
     for (int i = 0; i < count; i++) {
         out[i] = (double)real_lane(x, i);
     }
@@ -28,7 +30,19 @@ INLINE void real_store_lanes(double *out, real x, int count) {
 /** Writes the colours of a packet. @param[out] rgb Those of the grid: red, then green, then blue.
  */
 static void colors_write(const Rgb *colors, const PixelGrid *grid, int index, double *rgb) {
-    size_t plane = grid_ray_count(grid);
+    size_t plane = grid_ray_count(grid), columns = (size_t)grid->columns;
+    GridPosition first = grid_packet_position(grid, index);
+    if (!grid->selected && grid_has_whole_packet(grid, first)) {
+        double *target = rgb + (size_t)first.row * columns + (size_t)first.column;
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            GridPosition position = grid_vector_position((GridPosition){0}, v);
+            double *out = target + (size_t)position.row * columns + (size_t)position.column;
+            real_store_lanes(out, colors[v].red, LANES);
+            real_store_lanes(out + plane, colors[v].green, LANES);
+            real_store_lanes(out + 2 * plane, colors[v].blue, LANES);
+        }
+        return;
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         OutputRange range = output_range(grid, index, v);
         double *out = rgb + range.first;
@@ -149,8 +163,8 @@ static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid) {
     if (!is_plain || LANES == 1) {
         return false;
     }
-    const PacketIntervals intervals =
-        camera_grid_intervals(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+    const Beam beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+    const PacketIntervals intervals = beam_intervals(&beam);
     return !shape_set_may_meet(&tracer->shapes, &intervals);
 }
 

@@ -8,14 +8,12 @@
 #include "trace/shapes/plane_equation.h"
 #include "trace/shapes/watertight.h"
 
-/** Corners of a quad. */
-enum { QUAD_CORNERS = 4 };
-
 /** A quad. @extends Shape */
 typedef struct Quad {
     Shape base;                   /**< Base. */
     PlaneEquation plane;          /**< The plane of the quad; its normal is u x v. */
     Vertex corners[QUAD_CORNERS]; /**< Corners, in turn. */
+    PolygonEdges edges;           /**< The edges between them. */
 } Quad;
 
 /** See #ShapeClass.init. */
@@ -29,6 +27,7 @@ static void quad_init(Shape *self, const void *parameters) {
     quad->corners[1] = vertex_of(next);
     quad->corners[2] = vertex_of(vec3d_add(next, p->v));
     quad->corners[3] = vertex_of(last);
+    quad->edges = quad_edges_of(quad->corners);
 }
 
 /** Finds rays whose line passes inside the edges. See #IntersectFunction. */
@@ -53,6 +52,25 @@ INLINE SurfacePoint quad_surface(const Shape *self, const Ray *ray, real distanc
 /** See #ShapeClass.is_hit. @callgraph */
 static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     return primitive_is_hit(self, ray, active, hit, quad_intersect, quad_surface, NULL);
+}
+
+/** See #ShapeClass.covers. */
+static bool quad_covers(const Shape *self, const Beam *beam) {
+    return polygon_covers_beam(&((const Quad *)self)->edges, beam);
+}
+
+/** Finds where rays meet the plane, of which is known that they pass inside the edges. See
+ *  #IntersectFunction. */
+INLINE mask quad_intersect_inside(const Shape *self, const Ray *ray, mask active, real *distance,
+                                  void *roots) {
+    (void)roots;
+    *distance = plane_equation_distance(&((const Quad *)self)->plane, ray);
+    return active;
+}
+
+/** See #ShapeClass.is_hit_covered. */
+static mask quad_is_hit_covered(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    return primitive_is_hit(self, ray, active, hit, quad_intersect_inside, quad_surface, NULL);
 }
 
 /** See #ShapeClass.is_occluding. */
@@ -87,5 +105,7 @@ const ShapeClass quad_class = {
     .is_hit = quad_is_hit,
     .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
+    .covers = quad_covers,
+    .is_hit_covered = quad_is_hit_covered,
     .texture_uv = quad_texture_uv,
 };

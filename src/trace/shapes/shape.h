@@ -14,6 +14,7 @@
 
 typedef struct Shape Shape;
 typedef struct Packet Packet;
+typedef struct Beam Beam;
 typedef struct MeshBvhCache MeshBvhCache;
 
 /** A bounding box along the axes, rounded outwards; infinite where a shape is unbounded. */
@@ -102,6 +103,13 @@ typedef struct ShapeClass {
      * @return The lanes that are occluded.
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
+
+    /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
+     *          #covers and #is_hit_covered come together. */
+    bool (*covers)(const Shape *self, const Beam *beam);
+
+    /** #is_hit for rays of a beam that the shape covers: to the bit the same, for less. */
+    mask (*is_hit_covered)(const Shape *self, const Ray *ray, mask active, Hit *hit);
 
     /** @return The bounding box. */
     Aabbs (*bounds)(const Shape *self);

@@ -55,12 +55,12 @@ static inline RayTree *sample_context_ray_tree(const SampleContext *context) {
 
 /** Rays from one point in the directions axis + a across + b up, where a and b are -1 to 1; then
  *  normalized. */
-typedef struct Beam {
+struct Beam {
     Vec3s origin; /**< The point. */
     Vec3s axis;   /**< To the middle. */
     Vec3s across; /**< From the middle to the right edge. */
     Vec3s up;     /**< From the middle to the upper edge. */
-} Beam;
+};
 
 /** Rays that are traced together. */
 struct Packet {

@@ -71,9 +71,11 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
 /**
  * Finds the rays of a packet that meet any shape before their limit.
  * @param packet         The rays, at least one active.
+ * @param intervals      Those of the packet; NULL: not known.
  * @param[out] occluded  The occluded rays, per vector.
  */
-void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded);
+void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *intervals,
+                        mask *occluded);
 
 /** Called for each shape that rays may meet. @param v Index of the vector of rays. */
 typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,

@@ -264,12 +264,13 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
     set_bvh_closest_hits(set, packet, &intervals, hits);
 }
 
-void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *known,
+                        mask *occluded) {
     if (LANES == 1) {
         single_ray_occluded(set, packet, occluded);
         return;
     }
-    const PacketIntervals intervals = set_intervals(set, packet);
+    const PacketIntervals intervals = known ? *known : set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);
     }

@@ -20,6 +20,9 @@
  */
 typedef struct LightSample {
     Packet shadow_rays;                    /**< Rays to the light; active where it may shine. */
+    const Vec3 *target; /**< The point of the light at which all rays end; not owned. Only their
+                             origins are set then, until light_sample_aim(): most rays are never
+                             traced. NULL: there is none. */
     real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
     real distance_squared[PACKET_VECTORS]; /**< Scene units squared, for the falloff. */
     real weight[PACKET_VECTORS];           /**< See above; 1 for a point. */
@@ -123,9 +126,11 @@ INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, Li
     sample->distance_squared[v] = sample->to_light_squared[v] = distance_squared;
 }
 
-/** Samples the middle of a light. See #LightSampler. @param center The middle. */
-INLINE void light_sample_center(Vec3 center, const RayOffset *offset, const SurfaceHit *surface,
-                                LightSample *sample) {
+/** Samples the middle of a light. See #LightSampler. @param center The middle; it outlives the
+ *  sample. */
+INLINE void light_sample_center(const Vec3 *center, const RayOffset *offset,
+                                const SurfaceHit *surface, LightSample *sample) {
+    sample->target = center;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
         if (!any(surface->needs_light[v])) {
@@ -133,12 +138,21 @@ INLINE void light_sample_center(Vec3 center, const RayOffset *offset, const Surf
             sample->shadow_rays.limit[v] = sample->distance_squared[v] = real_of(1);
             continue;
         }
-        Vec3 to_light = vec3_subtract(center, hit->point);
-        Vec3 origin = ray_offset_origin(offset, hit, to_light);
+        Vec3 to_light = vec3_subtract(*center, hit->point);
         light_sample_set(surface, v, to_light, sample);
+        sample->shadow_rays.rays[v].origin = ray_offset_origin(offset, hit, to_light);
         // The ray ends at the light itself: its parameter runs from 0 to 1.
-        sample->shadow_rays.rays[v] = ray_of(origin, vec3_subtract(center, origin));
         sample->shadow_rays.limit[v] = real_of(1);
+    }
+}
+
+/** Directs rays to #LightSample.target. */
+INLINE void light_sample_aim(LightSample *sample) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Ray *ray = &sample->shadow_rays.rays[v];
+        if (any(sample->shadow_rays.active[v])) {
+            *ray = ray_of(ray->origin, vec3_subtract(*sample->target, ray->origin));
+        }
     }
 }
 

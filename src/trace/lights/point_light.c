@@ -24,7 +24,7 @@ typedef struct LIGHT_OWN PointLight {
 static void point_light_sample(const Light *light, size_t light_index, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample) {
     (void)light_index;
-    light_sample_center(((const PointLight *)light_own(light))->position, offset, surface, sample);
+    light_sample_center(&((const PointLight *)light_own(light))->position, offset, surface, sample);
 }
 
 /** Samples the centre of a sphere. The rays end at the sphere: shapes inside are not in the way.

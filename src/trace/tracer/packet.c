@@ -92,6 +92,45 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              real_reduce_max(limit)};
 }
 
+/** @return The interval along one axis of rays to a point. @param point Its coordinate. */
+INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar point) {
+    // The 0 that is added makes -0 positive, whose inverse would be the lowest of all.
+    scalar low = real_reduce_min(lowest), high = real_reduce_max(highest),
+           direction_low = point - high + 0, direction_high = point - low + 0;
+    bool is_one_way = direction_low >= 0 || direction_high < 0;
+    return (AxisInterval){low, high, is_one_way ? 1 / direction_high : -INFINITE,
+                          is_one_way ? 1 / direction_low : INFINITE};
+}
+
+PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point) {
+    const real most = real_of(INFINITE), least = real_of(-INFINITE);
+    Vec3 low = {most, most, most}, high = {least, least, least};
+    real limit = real_of(0);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask active = packet->active[v];
+        unsigned bits = mask_bits(active);
+        Vec3 origin = packet->rays[v].origin;
+        if (bits == 0) {
+            continue;
+        }
+        if (bits != ALL_LANES) {
+            int first = mask_first(active);
+            Vec3 other = {real_of(real_lane(origin.x, first)), real_of(real_lane(origin.y, first)),
+                          real_of(real_lane(origin.z, first))};
+            origin = vec3_select(active, origin, other);
+        }
+        low = (Vec3){real_min(origin.x, low.x), real_min(origin.y, low.y),
+                     real_min(origin.z, low.z)};
+        high = (Vec3){real_max(origin.x, high.x), real_max(origin.y, high.y),
+                      real_max(origin.z, high.z)};
+        limit = real_max(real_select(active, packet->limit[v], real_of(0)), limit);
+    }
+    return (PacketIntervals){{axis_interval_to_point(low.x, high.x, real_lane(point->x, 0)),
+                              axis_interval_to_point(low.y, high.y, real_lane(point->y, 0)),
+                              axis_interval_to_point(low.z, high.z, real_lane(point->z, 0))},
+                             real_reduce_max(limit)};
+}
+
 /** @return The interval of a beam along one axis. @param axis, half_width The component of its axis,
  *  and how far others are from it. @param length Shortest and longest of its directions, before
  *  they are normalized. */

@@ -144,6 +144,12 @@ PacketIntervals packet_intervals(const Packet *packet);
  *  angles and so no longer than the axis. */
 #define BEAM_SLACK (64 * ROUNDOFF)
 
+/** @return The intervals of a packet whose rays all end at one point, with at least one active ray.
+ *          Only their origins and limits are read: the direction and its inverse are monotonic in
+ *          them, also as they are rounded, so the intervals are those of packet_intervals(). An
+ *          axis along which rays go both ways clips nothing. */
+PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point);
+
 /** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays
  *          go both ways clips nothing. */
 PacketIntervals beam_intervals(const Beam *beam);

@@ -52,13 +52,14 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
         return;
     }
     const ShapeClass *class = shape->class;
-    bool is_covered = packet->has_beam && class->covers && class->covers(shape, &packet->beam);
-    mask (*is_hit)(const Shape *, const Ray *, mask, Hit *) =
-        is_covered ? class->is_hit_covered : class->is_hit;
+    if (packet->has_beam && class->covers && class->covers(shape, &packet->beam)) {
+        class->covered_hits(shape, packet, hits);
+        return;
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask pending = packet->active[v] & (hits[v].distance >= real_of(near));
         if (LANES == 1 || any(pending)) {
-            is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
+            class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
         }
     }
 }

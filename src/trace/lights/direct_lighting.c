@@ -78,11 +78,14 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
     }
 }
 
-/** Sets all light to 0. */
-INLINE void direct_lighting_clear(DirectLighting *lighting) {
+/** Sets all light to 0. @param has_specular Whether highlights are added later. */
+INLINE void direct_lighting_clear(DirectLighting *lighting, bool has_specular) {
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Rgb black = {real_of(0), real_of(0), real_of(0)};
-        lighting->diffuse[v] = lighting->specular[v] = black;
+        lighting->diffuse[v] = black;
+    }
+    for (int v = 0; has_specular && v < PACKET_VECTORS; v++) {
+        lighting->specular[v] = black;
     }
 }
 
@@ -107,7 +110,7 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
     if (recorders->ray_tree) {
         DirectLighting light_only;
-        direct_lighting_clear(&light_only);
+        direct_lighting_clear(&light_only, true);
         light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
                          &light_only);
         ray_tree_record_shadow(shapes, surface, light_index, &lights[light_index], sample,
@@ -163,7 +166,7 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
                       const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
                       DirectLighting *lighting) {
     uint64_t rays = 0;
-    direct_lighting_clear(lighting);
+    direct_lighting_clear(lighting, has_specular);
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;
         mask occluded[PACKET_VECTORS];

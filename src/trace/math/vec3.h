@@ -84,6 +84,11 @@ INLINE Vec3s vec3s_first_lane(Vec3 v) {
     return (Vec3s){real_lane(v.x, 0), real_lane(v.y, 0), real_lane(v.z, 0)};
 }
 
+/** @return The same numbers, exactly. */
+INLINE Vec3sw vec3s_widen(Vec3s p) {
+    return (Vec3sw){(wide_scalar)p.x, (wide_scalar)p.y, (wide_scalar)p.z};
+}
+
 /** @return A vector in all lanes. */
 INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};

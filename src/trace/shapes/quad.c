@@ -59,18 +59,21 @@ static bool quad_covers(const Shape *self, const Beam *beam) {
     return polygon_covers_beam(&((const Quad *)self)->edges, beam);
 }
 
-/** Finds where rays meet the plane, of which is known that they pass inside the edges. See
- *  #IntersectFunction. */
-INLINE mask quad_intersect_inside(const Shape *self, const Ray *ray, mask active, real *distance,
-                                  void *roots) {
-    (void)roots;
-    *distance = plane_equation_distance(&((const Quad *)self)->plane, ray);
-    return active;
-}
-
-/** See #ShapeClass.is_hit_covered. */
-static mask quad_is_hit_covered(const Shape *self, const Ray *ray, mask active, Hit *hit) {
-    return primitive_is_hit(self, ray, active, hit, quad_intersect_inside, quad_surface, NULL);
+/** Finds where rays meet the plane: all pass inside the edges, and the plane is equally high above
+ *  all of them. See #ShapeClass.covered_hits. */
+static void quad_covered_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    const PlaneEquation plane = ((const Quad *)self)->plane;
+    const Vec3w normal = vec3w_splat(plane.wide_normal);
+    const Vec3sw origin = vec3s_widen(packet->beam.origin);
+    const real height =
+        real_of((scalar)vec3sw_dot(plane.wide_normal, vec3sw_subtract(plane.wide_anchor, origin)));
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Ray *ray = &packet->rays[v];
+        real distance = height / narrow(vec3w_dot(normal, vec3_widen(ray->direction)));
+        mask nearer = hit_is_nearer(&hits[v], packet->active[v], distance, self->index);
+        SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
+        shape_update_hit(self, &hits[v], nearer, distance, &surface);
+    }
 }
 
 /** See #ShapeClass.is_occluding. */
@@ -106,6 +109,6 @@ const ShapeClass quad_class = {
     .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
     .covers = quad_covers,
-    .is_hit_covered = quad_is_hit_covered,
+    .covered_hits = quad_covered_hits,
     .texture_uv = quad_texture_uv,
 };

@@ -105,11 +105,11 @@ typedef struct ShapeClass {
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
     /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
-     *          #covers and #is_hit_covered come together. */
+     *          #covers and #covered_hits come together. */
     bool (*covers)(const Shape *self, const Beam *beam);
 
-    /** #is_hit for rays of a beam that the shape covers: to the bit the same, for less. */
-    mask (*is_hit_covered)(const Shape *self, const Ray *ray, mask active, Hit *hit);
+    /** #is_hit for a packet of a beam that the shape covers: to the bit the same, for less. */
+    void (*covered_hits)(const Shape *self, const Packet *packet, Hit *hits);
 
     /** @return The bounding box. */
     Aabbs (*bounds)(const Shape *self);

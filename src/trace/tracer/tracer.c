@@ -132,19 +132,51 @@ INLINE void shade_background(const Tracer *tracer, const SurfaceHit *surface, Rg
 }
 
 /** @return emission + albedo (ambient + diffuse D) + specular S: the radiance of a surface without
- *          reflected and refracted rays. @param lighting Its sums D and S of direct light. */
-INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, int v) {
+ *          reflected and refracted rays. @param lighting Its sums D and S of direct light. @param
+ *          shines Whether any surface has highlights. */
+INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, bool shines,
+                       int v) {
     Rgb light = rgb_add(material->ambient, rgb_scale(lighting->diffuse[v], material->diffuse));
     Rgb color = rgb_add(material->emission, rgb_multiply(material->albedo, light));
-    return rgb_add(color, rgb_multiply(material->specular, lighting->specular[v]));
+    return shines ? rgb_add(color, rgb_multiply(material->specular, lighting->specular[v])) : color;
+}
+
+/** Sets the colours of the rays that hit a shape, where all meet the same opaque material. */
+INLINE void shade_uniform_surfaces(const SurfaceHit *surface, const DirectLighting *lighting,
+                                   Rgb *colors) {
+    const MaterialPack material =
+        material_pack_splat(&surface->materials[surface->material_ids[0].first]);
+    const bool shines = surface->traits & MATERIAL_SHINES;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        colors[v] = rgb_select(surface->is_hit[v], local_color(&material, lighting, shines, v), colors[v]);
+    }
+}
+
+/** Sets the colours of the rays that hit a shape, whatever they meet. @param textures The colours
+ *  of textures; NULL: there are none. */
+INLINE void shade_mixed_surfaces(const SurfaceHit *surface, const DirectLighting *lighting,
+                                 const Rgb *textures, Rgb *colors) {
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        MaterialPack material =
+            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
+        if (textures) {
+            material.albedo = rgb_multiply(material.albedo, textures[v]);
+        }
+        Rgb color = local_color(&material, lighting, surface->traits & MATERIAL_SHINES, v);
+        if (surface->dielectric) {
+            color = rgb_select(surface->dielectric->is_overridden[v], black, color);
+        }
+        colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    }
 }
 
 /** Sets the colours of the rays that hit a shape, without reflection and refraction. */
 INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surface, Rgb *colors) {
     const Tracer *tracer = context->tracer;
-    const Rgb black = {real_of(0), real_of(0), real_of(0)};
     bool has_textures = tracer->textures.material_maps != NULL;
-    bool shines = surface->traits & MATERIAL_SHINES;
+    // The reports add highlights, of 0, in any case.
+    bool shines = (surface->traits & MATERIAL_SHINES) || tracer->methods;
     DirectLighting lighting;
     Rgb texture_color[PACKET_VECTORS];
     context->counts->shadow +=
@@ -153,22 +185,10 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
     if (has_textures) {
         textures_sample(&tracer->textures, &tracer->shapes, surface, texture_color);
     }
-    const MaterialPack first =
-        material_pack_splat(&surface->materials[surface->material_ids[0].first]);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialPack material = first;
-        if (!surface->is_uniform) {
-            material = material_pack_gather(surface->materials, &surface->material_ids[v],
-                                            surface->is_hit[v]);
-        }
-        if (has_textures) {
-            material.albedo = rgb_multiply(material.albedo, texture_color[v]);
-        }
-        Rgb color = local_color(&material, &lighting, v);
-        if (surface->dielectric) {
-            color = rgb_select(surface->dielectric->is_overridden[v], black, color);
-        }
-        colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    if (surface->is_uniform && !has_textures && !surface->dielectric) {
+        shade_uniform_surfaces(surface, &lighting, colors);
+    } else {
+        shade_mixed_surfaces(surface, &lighting, has_textures ? texture_color : NULL, colors);
     }
     if (tracer->methods) {
         report_shade_surfaces(tracer, surface, &lighting, has_textures ? texture_color : NULL,

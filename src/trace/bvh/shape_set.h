@@ -62,6 +62,13 @@ Aabbd shape_set_bounds(const ShapeSet *set);
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals);
 
 /**
+ * Finds the shapes that the rays of a beam may meet, of a set without BVH.
+ * @param[out] last  The last of them.
+ * @return Their number.
+ */
+size_t shape_set_count_in_beam(const ShapeSet *set, const Beam *beam, const Shape **last);
+
+/**
  * Finds the closest hits of a packet.
  * @param packet     The rays, at least one active.
  * @param[out] hits  The hits, per vector of rays. @callgraph

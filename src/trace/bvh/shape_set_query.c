@@ -245,6 +245,19 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
     return may_meet;
 }
 
+size_t shape_set_count_in_beam(const ShapeSet *set, const Beam *beam, const Shape **last) {
+    const PacketIntervals intervals = beam_intervals(beam);
+    size_t count = 0;
+    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
+        unsigned candidates = linear_candidates(set, &intervals, block).remaining;
+        if (candidates) {
+            *last = set->linear[block * LANES + (size_t)__builtin_ctz(candidates)];
+            count += (size_t)__builtin_popcount(candidates);
+        }
+    }
+    return count;
+}
+
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     if (LANES == 1) {
         single_ray_closest_hit(set, packet, hits);

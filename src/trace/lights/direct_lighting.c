@@ -67,7 +67,7 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
         if (!any(unoccluded)) {
             continue;
         }
-        real attenuation = light_attenuation(light, sample, v);
+        real attenuation = light_attenuation(light, sample->weight[v], sample->distance_squared[v]);
         real bright = real_select(unoccluded, attenuation * sample->cosine[v], real_of(0));
         lighting->diffuse[v] =
             rgb_add(lighting->diffuse[v],

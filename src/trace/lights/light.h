@@ -71,6 +71,8 @@ struct Light {
     bool is_visible;             /**< Whether rays see it. */
     bool is_soft;                /**< Whether each shadow ray goes to another point of it. */
     bool is_at_infinity;         /**< Whether its light is parallel. */
+    bool is_point;               /**< Whether it shines from #position to all sides alike. */
+    Vec3 position;               /**< Of a point. */
     unsigned methods; /**< Methods of the reports for its shadows: a set of #ReportMethod. */
     Rgb radiance;     /**< As bright as rays see it: #intensity, unless a report's. */
     real own[LIGHT_OWN_VECTORS]; /**< The class's own struct; see #light_own. */
@@ -111,13 +113,18 @@ typedef struct SquareSample {
  */
 SquareSample light_square_sample(const SampleContext *context, size_t light_index, int v);
 
+/** @return The square of the distance to a light, as its falloff counts it. */
+INLINE real light_distance_squared(Vec3 to_light) {
+    return real_max(vec3_dot(to_light, to_light), real_of(MIN_DISTANCE_SQUARED));
+}
+
 /**
  * Sets what points could get from a light along one ray each.
  * @param v  Which vector of points.
  * @param to_light  From them to the light.
  */
 INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, LightSample *sample) {
-    real distance_squared = real_max(vec3_dot(to_light, to_light), real_of(MIN_DISTANCE_SQUARED));
+    real distance_squared = light_distance_squared(to_light);
     real cosine = vec3_dot(surface->n_front[v], to_light) / real_sqrt(distance_squared);
     sample->shadow_rays.active[v] = surface->needs_light[v] & (cosine > 0);
     sample->cosine[v] = cosine;
@@ -187,21 +194,13 @@ INLINE Vec3 light_sample_direction(const LightSample *sample, int v) {
     return vec3_scale(sample->to_light[v], 1 / real_sqrt(sample->to_light_squared[v]));
 }
 
-/**
- * @return The factor of a light's intensity at points, without the cosine.
- * @param v  Which vector of points.
- */
-INLINE real light_attenuation(const Light *light, const LightSample *sample, int v) {
-    real attenuation = sample->weight[v];
-    if (light->is_inverse_square) {
-        attenuation = attenuation /
-                      real_max(sample->distance_squared[v], real_of(light->min_distance_squared));
-    } else if (light->is_inverse_linear) {
-        real distance =
-            real_sqrt(real_max(sample->distance_squared[v], real_of(light->min_distance_squared)));
-        attenuation = attenuation / (light->falloff_constant + distance);
-    }
-    return attenuation;
+/** @return The factor of a light's intensity at points, without the cosine. @param weight,
+ *  distance_squared See #LightSample. */
+INLINE real light_attenuation(const Light *light, real weight, real distance_squared) {
+    real squared = real_max(distance_squared, real_of(light->min_distance_squared));
+    return light->is_inverse_square   ? weight / squared
+           : light->is_inverse_linear ? weight / (light->falloff_constant + real_sqrt(squared))
+                                      : weight;
 }
 
 #endif

@@ -124,6 +124,8 @@ static void point_light_init(Light *self, const SceneLight *said, int samples) {
     *(PointLight *)self->own = (PointLight){vec3_of(said->position), real_of(radius)};
     self->is_visible = radius > 0;
     self->is_soft = self->is_visible && samples > 1;
+    self->is_point = !self->is_visible;
+    self->position = vec3_of(said->position);
     self->sample = self->is_soft      ? sphere_light_sample
                    : self->is_visible ? sphere_light_sample_center
                                       : point_light_sample;

@@ -68,6 +68,13 @@ INLINE MaterialPack material_pack_select(mask m, const MaterialPack *a, const Ma
 #undef NUMBER
 }
 
+/** @return emission + albedo (ambient + diffuse D): the radiance of a matt surface. @param light Its
+ *  sum D of direct light. */
+INLINE Rgb diffuse_color(const MaterialPack *material, Rgb light) {
+    Rgb all = rgb_add(material->ambient, rgb_scale(light, material->diffuse));
+    return rgb_add(material->emission, rgb_multiply(material->albedo, all));
+}
+
 /** The indices of the materials at the hits of LANES rays. Mostly all are equal, for neighbouring
  *  rays hit the same shape. */
 typedef struct MaterialIds {

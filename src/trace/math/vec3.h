@@ -141,6 +141,16 @@ INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));
 }
 
+/** @return The minimum of each component; that of b if either is NaN. */
+INLINE Vec3 vec3_min(Vec3 a, Vec3 b) {
+    return (Vec3){real_min(a.x, b.x), real_min(a.y, b.y), real_min(a.z, b.z)};
+}
+
+/** @return The maximum of each component; that of b if either is NaN. */
+INLINE Vec3 vec3_max(Vec3 a, Vec3 b) {
+    return (Vec3){real_max(a.x, b.x), real_max(a.y, b.y), real_max(a.z, b.z)};
+}
+
 /** @return a where the mask is set, b elsewhere. */
 INLINE Vec3 vec3_select(mask m, Vec3 a, Vec3 b) {
     return (Vec3){real_select(m, a.x, b.x), real_select(m, a.y, b.y), real_select(m, a.z, b.z)};

@@ -59,17 +59,19 @@ static bool quad_covers(const Shape *self, const Beam *beam) {
     return polygon_covers_beam(&((const Quad *)self)->edges, beam);
 }
 
+/** See #ShapeClass.plane. */
+static const PlaneEquation *quad_plane(const Shape *self) {
+    return &((const Quad *)self)->plane;
+}
+
 /** Finds where rays meet the plane: all pass inside the edges, and the plane is equally high above
  *  all of them. See #ShapeClass.covered_hits. */
 static void quad_covered_hits(const Shape *self, const Packet *packet, Hit *hits) {
     const PlaneEquation plane = ((const Quad *)self)->plane;
-    const Vec3w normal = vec3w_splat(plane.wide_normal);
-    const Vec3sw origin = vec3s_widen(packet->beam.origin);
-    const real height =
-        real_of((scalar)vec3sw_dot(plane.wide_normal, vec3sw_subtract(plane.wide_anchor, origin)));
+    const real height = plane_equation_height(&plane, packet->beam.origin);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Ray *ray = &packet->rays[v];
-        real distance = height / narrow(vec3w_dot(normal, vec3_widen(ray->direction)));
+        real distance = height / plane_equation_slope(&plane, ray->direction);
         mask nearer = hit_is_nearer(&hits[v], packet->active[v], distance, self->index);
         SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
         shape_update_hit(self, &hits[v], nearer, distance, &surface);
@@ -110,5 +112,6 @@ const ShapeClass quad_class = {
     .bounds = quad_bounds,
     .covers = quad_covers,
     .covered_hits = quad_covered_hits,
+    .plane = quad_plane,
     .texture_uv = quad_texture_uv,
 };

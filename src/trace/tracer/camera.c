@@ -6,11 +6,6 @@
 
 #include "trace/math/sobol.h"
 
-/** Positions in a pixel are multiples of 1 / SUBPIXELS. So a position in the image is a whole
- * number of them, which every engine, float too, represents exactly: all engines trace the same
- * rays. */
-#define SUBPIXELS 256
-
 /** The scrambling of Sobol's sequence that the samples of a pixel follow. Of 1500, its mean is the
  *  nearest to the exact one over edges of all directions, with 4, 8, 16 and 64 samples
  *  (doc/tour.md, "Samples"). */
@@ -54,24 +49,6 @@ PixelJitter pixel_jitter_of(int sample) {
                          tent_sample(point.y ^ first.y ^ SAMPLE_CENTER)};
 }
 
-/** @return LANES camera rays. @param x Twice the distance from the centre of the image, pixels, to
- *  the right. @param y The same upwards. */
-INLINE Ray camera_ray(const Camera *camera, real x, real y) {
-    Vec3 offset = vec3_add(vec3_scale(camera->right, x), vec3_scale(camera->up, y));
-    return ray_of(camera->origin, vec3_normalize(vec3_add(offset, camera->forward)));
-}
-
-/**
- * @return Twice a ray's distance from the centre of the image along one axis, in 1 / #SUBPIXELS: an
- *         integer, symmetric about the centre, and exact in float up to 16384 pixels.
- * @param pixel  Index of the pixel along the axis.
- * @param jitter  The ray's position in the pixel.
- * @param size  Pixels of the image along the axis.
- */
-static int doubled_offset_from_center(int pixel, int jitter, int size) {
-    return 2 * (pixel * SUBPIXELS + jitter) - size * SUBPIXELS;
-}
-
 Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter) {
     const scalar scale = (scalar)1 / SUBPIXELS;
     int last_x = grid->x + (grid->columns - 1) * grid->stride,
@@ -90,34 +67,18 @@ Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter
                   .up = vec3s_scale(y, (scalar)(top - bottom) * half)};
 }
 
-/** @return 0, 1, 2, ... in the lanes. */
-INLINE real lane_indices(void) {
-    real numbers = {0};
-    for (int i = 0; i < LANES; i++) {
-        real_set_lane(&numbers, i, (scalar)i);
-    }
-    return numbers;
-}
-
 /** Generates the rays of a packet of a whole grid. */
 static void camera_generate_grid_rays(const Camera *camera, const PixelGrid *grid,
                                       PixelJitter jitter, int index, Packet *packet) {
-    const scalar scale = (scalar)1 / SUBPIXELS;
     const GridPosition first = grid_packet_position(grid, index);
     const bool is_whole = grid_has_whole_packet(grid, first);
-    real lane_index = lane_indices();
     for (int v = 0; v < PACKET_VECTORS; v++) {
         GridPosition position = grid_vector_position(first, v);
-        int pixel_x = grid->x + position.column * grid->stride,
-            pixel_y = grid->y + position.row * grid->stride;
-        int twice_x = doubled_offset_from_center(pixel_x, jitter.x, camera->width);
-        int twice_y = doubled_offset_from_center(pixel_y, jitter.y, camera->height);
-        real x = real_of((scalar)twice_x) + lane_index * (scalar)(2 * SUBPIXELS * grid->stride);
-        packet->rays[v] = camera_ray(camera, x * scale, real_of((scalar)-twice_y * scale));
+        packet->rays[v] = camera_grid_ray(camera, grid, jitter, position);
         packet->active[v] = mask_of(true);
         if (!is_whole) {
             packet->active[v] =
-                (lane_index < real_of((scalar)(grid->columns - position.column))) &
+                (lane_indices() < real_of((scalar)(grid->columns - position.column))) &
                 mask_of(position.row < grid->rows);
         }
     }
@@ -145,8 +106,7 @@ static void camera_generate_selected_rays(const Camera *camera, const PixelGrid 
     }
 }
 
-/** @return The beam of a packet of a whole grid. */
-static Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                                int index) {
     GridPosition first = grid_packet_position(grid, index);
     PixelGrid part = *grid;
@@ -164,8 +124,7 @@ void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitt
     if (packet->has_beam) {
         packet->beam = camera_packet_beam(camera, grid, jitter, index);
     }
-    jitter.x -= camera->shift;
-    jitter.y -= camera->shift;
+    jitter = camera_shifted(camera, jitter);
     packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->limit[v] = real_of(INFINITE);

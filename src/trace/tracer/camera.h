@@ -18,6 +18,11 @@ typedef struct Camera {
     int shift;    /**< By how much rays go to the left and up, in 1 / 256 pixels; 0: not at all. */
 } Camera;
 
+/** Positions in a pixel are multiples of 1 / SUBPIXELS. So a position in the image is a whole
+ * number of them, which every engine, float too, represents exactly: all engines trace the same
+ * rays. */
+#define SUBPIXELS 256
+
 /** The position of a sample in its pixel, in 1 / 256 pixels from the left and the top. The filter
  *  is wider than a pixel, so it may lie outside. */
 typedef struct PixelJitter {
@@ -83,6 +88,54 @@ static inline GridPosition grid_vector_position(GridPosition first, int v) {
 
 /** @return The beam of all camera rays of a grid of which no pixels are selected. */
 Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter);
+
+/** @return The beam of a packet of such a grid. @param index Its index. */
+Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter, int index);
+
+/** @return LANES camera rays. @param x Twice the distance from the centre of the image, pixels, to
+ *  the right. @param y The same upwards. */
+INLINE Ray camera_ray(const Camera *camera, real x, real y) {
+    Vec3 offset = vec3_add(vec3_scale(camera->right, x), vec3_scale(camera->up, y));
+    return ray_of(camera->origin, vec3_normalize(vec3_add(offset, camera->forward)));
+}
+
+/**
+ * @return Twice a ray's distance from the centre of the image along one axis, in 1 / #SUBPIXELS: an
+ *         integer, symmetric about the centre, and exact in float up to 16384 pixels.
+ * @param pixel  Index of the pixel along the axis.
+ * @param jitter  The ray's position in the pixel.
+ * @param size  Pixels of the image along the axis.
+ */
+static inline int doubled_offset_from_center(int pixel, int jitter, int size) {
+    return 2 * (pixel * SUBPIXELS + jitter) - size * SUBPIXELS;
+}
+
+/** @return 0, 1, 2, ... in the lanes. */
+INLINE real lane_indices(void) {
+    real numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&numbers, i, (scalar)i);
+    }
+    return numbers;
+}
+
+/** @return The position of samples, as rays go to the left and up. */
+INLINE PixelJitter camera_shifted(const Camera *camera, PixelJitter jitter) {
+    return (PixelJitter){jitter.x - camera->shift, jitter.y - camera->shift};
+}
+
+/** @return LANES camera rays of a row of a grid of which no pixels are selected. @param jitter From
+ *  camera_shifted(). @param position Of the first of them. */
+INLINE Ray camera_grid_ray(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                           GridPosition position) {
+    const scalar scale = (scalar)1 / SUBPIXELS;
+    int pixel_x = grid->x + position.column * grid->stride,
+        pixel_y = grid->y + position.row * grid->stride;
+    int twice_x = doubled_offset_from_center(pixel_x, jitter.x, camera->width);
+    int twice_y = doubled_offset_from_center(pixel_y, jitter.y, camera->height);
+    real x = real_of((scalar)twice_x) + lane_indices() * (scalar)(2 * SUBPIXELS * grid->stride);
+    return camera_ray(camera, x * scale, real_of((scalar)-twice_y * scale));
+}
 
 /**
  * Generates the camera rays of a packet.

@@ -102,6 +102,13 @@ INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar poi
                           is_one_way ? 1 / direction_low : INFINITE};
 }
 
+PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit) {
+    return (PacketIntervals){{axis_interval_to_point(low.x, high.x, real_lane(point->x, 0)),
+                              axis_interval_to_point(low.y, high.y, real_lane(point->y, 0)),
+                              axis_interval_to_point(low.z, high.z, real_lane(point->z, 0))},
+                             limit};
+}
+
 PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point) {
     const real most = real_of(INFINITE), least = real_of(-INFINITE);
     Vec3 low = {most, most, most}, high = {least, least, least};
@@ -119,16 +126,11 @@ PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *poin
                           real_of(real_lane(origin.z, first))};
             origin = vec3_select(active, origin, other);
         }
-        low = (Vec3){real_min(origin.x, low.x), real_min(origin.y, low.y),
-                     real_min(origin.z, low.z)};
-        high = (Vec3){real_max(origin.x, high.x), real_max(origin.y, high.y),
-                      real_max(origin.z, high.z)};
+        low = vec3_min(origin, low);
+        high = vec3_max(origin, high);
         limit = real_max(real_select(active, packet->limit[v], real_of(0)), limit);
     }
-    return (PacketIntervals){{axis_interval_to_point(low.x, high.x, real_lane(point->x, 0)),
-                              axis_interval_to_point(low.y, high.y, real_lane(point->y, 0)),
-                              axis_interval_to_point(low.z, high.z, real_lane(point->z, 0))},
-                             real_reduce_max(limit)};
+    return intervals_to_point(low, high, point, real_reduce_max(limit));
 }
 
 /** @return The interval of a beam along one axis. @param axis, half_width The component of its axis,

@@ -5,6 +5,7 @@
 #include "trace/tracer/tile.h"
 
 #include "trace/math/sobol.h"
+#include "trace/tracer/plain_packet.h"
 #include "trace/tracer/ray_tree_recorder.h"
 #include "trace/tracer/retrace.h"
 
@@ -138,10 +139,15 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
+    bool may_be_plain = plain_packets_are_possible(tracer, grid);
     int packet_count = grid_packet_count(grid);
     for (int index = 0; index < packet_count; index++) {
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
+        if (may_be_plain && plain_packet_shade(tracer, grid, jitter, index, colors, counts)) {
+            colors_write(colors, grid, index, rgb);
+            continue;
+        }
         camera_rays_init(tracer, grid, jitter, index, is_recorded ? &recorders : NULL, &rays);
         trace_camera_rays(tracer, &rays.state, colors, counts);
         if (grid->ray_tree) {

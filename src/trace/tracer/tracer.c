@@ -136,8 +136,7 @@ INLINE void shade_background(const Tracer *tracer, const SurfaceHit *surface, Rg
  *          shines Whether any surface has highlights. */
 INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, bool shines,
                        int v) {
-    Rgb light = rgb_add(material->ambient, rgb_scale(lighting->diffuse[v], material->diffuse));
-    Rgb color = rgb_add(material->emission, rgb_multiply(material->albedo, light));
+    Rgb color = diffuse_color(material, lighting->diffuse[v]);
     return shines ? rgb_add(color, rgb_multiply(material->specular, lighting->specular[v])) : color;
 }
 

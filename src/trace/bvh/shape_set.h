@@ -61,12 +61,14 @@ Aabbd shape_set_bounds(const ShapeSet *set);
  *  searched, and for engines of one lane, whose rays have no intervals. */
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals);
 
-/**
- * Finds the shapes that the rays of a beam may meet, of a set without BVH.
- * @param[out] last  The last of them.
- * @return Their number.
- */
-size_t shape_set_count_in_beam(const ShapeSet *set, const Beam *beam, const Shape **last);
+/** The shapes that the rays of a beam may meet. */
+typedef struct BeamCandidates {
+    const Shape *nearest; /**< The one whose box is nearest; NULL: there is none. */
+    scalar next_distance; /**< Lower bound on the distances of all others. */
+} BeamCandidates;
+
+/** Finds the shapes that the rays of a beam may meet, of a set without BVH. */
+void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found);
 
 /**
  * Finds the closest hits of a packet.

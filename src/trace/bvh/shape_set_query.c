@@ -245,17 +245,24 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
     return may_meet;
 }
 
-size_t shape_set_count_in_beam(const ShapeSet *set, const Beam *beam, const Shape **last) {
+void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found) {
     const PacketIntervals intervals = beam_intervals(beam);
-    size_t count = 0;
+    scalar nearest = INFINITE;
+    *found = (BeamCandidates){NULL, INFINITE};
     for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
-        unsigned candidates = linear_candidates(set, &intervals, block).remaining;
-        if (candidates) {
-            *last = set->linear[block * LANES + (size_t)__builtin_ctz(candidates)];
-            count += (size_t)__builtin_popcount(candidates);
+        Candidates candidates = linear_candidates(set, &intervals, block);
+        for (; candidates.remaining; candidates.remaining &= candidates.remaining - 1) {
+            int lane = __builtin_ctz(candidates.remaining);
+            scalar distance = real_lane(candidates.near, lane);
+            if (!found->nearest || distance < nearest) {
+                found->next_distance = found->nearest ? nearest : INFINITE;
+                found->nearest = set->linear[block * LANES + (size_t)lane];
+                nearest = distance;
+            } else if (distance < found->next_distance) {
+                found->next_distance = distance;
+            }
         }
     }
-    return count;
 }
 
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {

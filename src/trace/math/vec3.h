@@ -201,6 +201,11 @@ INLINE Vec3s vec3s_scale(Vec3s v, scalar s) {
     return (Vec3s){v.x * s, v.y * s, v.z * s};
 }
 
+/** @return a . b. */
+INLINE scalar vec3s_dot(Vec3s a, Vec3s b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 /** @return The sum of the absolute values of the components: no less than the length. */
 INLINE scalar vec3s_abs_sum(Vec3s v) {
     return scalar_abs(v.x) + scalar_abs(v.y) + scalar_abs(v.z);

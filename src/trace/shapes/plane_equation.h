@@ -6,6 +6,7 @@
 #define DIOPTRE_TRACE_SHAPES_PLANE_EQUATION_H
 
 #include "trace/shapes/shape.h"
+#include "trace/tracer/packet.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates and of the anchor. */
 #define PLANE_ERROR 8
@@ -71,6 +72,19 @@ INLINE real plane_equation_height(const PlaneEquation *plane, Vec3s origin) {
 /** @return Height gained per length of directions, likewise. The distance is height over slope. */
 INLINE real plane_equation_slope(const PlaneEquation *plane, Vec3 direction) {
     return narrow(vec3w_dot(vec3w_splat(plane->wide_normal), vec3_widen(direction)));
+}
+
+/** @return An upper bound on the distances at which the rays of a beam meet a plane from its front;
+ *          infinite where any may not. */
+static inline scalar plane_equation_farthest(const PlaneEquation *plane, const Beam *beam) {
+    const Vec3s n = plane->normal;
+    scalar height = real_lane(plane_equation_height(plane, beam->origin), 0);
+    scalar length = SCALAR_SQRT(vec3s_dot(beam->axis, beam->axis)) +
+                    vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up);
+    scalar slope = vec3s_dot(n, beam->axis) + scalar_abs(vec3s_dot(n, beam->across)) +
+                   scalar_abs(vec3s_dot(n, beam->up)) + BEAM_SLACK * length;
+    // Both are negative for rays that come from the front and meet it before themselves.
+    return height < 0 && slope < 0 ? height * length / slope * (1 + BEAM_SLACK) : INFINITE;
 }
 
 /** @return Distance of a crossing: infinite or NaN for rays along the plane. */

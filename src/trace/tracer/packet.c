@@ -147,7 +147,7 @@ static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_w
 
 PacketIntervals beam_intervals(const Beam *beam) {
     const Vec3s *o = &beam->origin, *a = &beam->axis, *r = &beam->across, *u = &beam->up;
-    scalar middle = SCALAR_SQRT(a->x * a->x + a->y * a->y + a->z * a->z);
+    scalar middle = SCALAR_SQRT(vec3s_dot(*a, *a));
     scalar width = vec3s_abs_sum(*r) + vec3s_abs_sum(*u), slack = BEAM_SLACK * (middle + width);
     scalar shortest = middle - width - slack;
     const scalar length[2] = {shortest > 0 ? shortest : 0, middle + width + slack};

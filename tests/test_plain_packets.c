@@ -54,6 +54,10 @@ static void room_quad(Scene *scene, uint64_t *state, Vec3d corner, Vec3d u, Vec3
 static void room_shape(Scene *scene, uint64_t *state) {
     double kind = random_unit_double(state), thin = exp2(-14 * random_unit_double(state));
     Vec3d at = room_point(state), to = vec3d_subtract(room_point(state), at);
+    if (random_unit_double(state) < 0.5) {
+        at.y = -HALF; // It stands on the floor.
+        to = (Vec3d){0.25 * to.x, fabs(to.y), 0.25 * to.z};
+    }
     if (kind < 0.6) {
         Vec3d across = {to.y, -to.x, 0.25};
         room_quad(scene, state, at, to, vec3d_scale(across, kind < 0.3 ? thin : 1));
@@ -69,13 +73,14 @@ static void room_shape(Scene *scene, uint64_t *state) {
     }
 }
 
-/** Adds a lamp, often near a wall. */
+/** Adds a lamp, often near the floor or the ceiling: there its directions differ most. */
 static void room_lamp(Scene *scene, uint64_t *state) {
     Error error = {0};
     SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
     light.position = room_point(state);
     if (random_unit_double(state) < 0.5) {
-        light.position.y = HALF - exp2(-20 * random_unit_double(state));
+        double height = exp2(-12 * random_unit_double(state));
+        light.position.y = random_unit_double(state) < 0.25 ? HALF - height : height - HALF;
     }
     light.falloff = random_unit_double(state) < 0.5 ? FALLOFF_INVERSE_SQUARE : light.falloff;
     assert_true(scene_add_light(scene, &light, &error));
@@ -100,10 +105,10 @@ static Scene *random_room(uint64_t *state) {
     room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){e, 0, 0}, (Vec3d){0, e, 0});
     room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, e, 0}, (Vec3d){0, 0, e});
     room_quad(scene, state, (Vec3d){a, -a, -a}, (Vec3d){0, 0, e}, (Vec3d){0, e, 0});
-    for (int i = (int)(4 * random_unit_double(state)); i > 0; i--) {
+    for (int i = (int)(8 * random_unit_double(state)); i > 0; i--) {
         room_shape(scene, state);
     }
-    for (int i = (int)(3 * random_unit_double(state)); i >= 0; i--) {
+    for (int i = (int)(3 * random_unit_double(state)); i > 0; i--) {
         room_lamp(scene, state);
     }
     scene->sky.horizon = scene->sky.zenith = (Rgbd){0.25, 0.5, 0.75};
@@ -123,7 +128,7 @@ static RayCounts trace_room(const Engine *engine, const Scene *scene, OffsetStra
         .depth = 3, .samples = 1, .cutoff = 0.25, .offset = offset, .epsilon = 1e-3};
     Tracer *tracer = engine->create_tracer(scene, &settings, &error);
     assert_non_null(tracer);
-    engine->set_view(tracer, scene, 3 * MOST, 2 * MOST);
+    engine->set_view(tracer, scene, 2 * MOST, MOST);
     engine->trace(tracer, grid, rgb, &counts);
     engine->destroy(tracer);
     return counts;
@@ -131,8 +136,8 @@ static RayCounts trace_room(const Engine *engine, const Scene *scene, OffsetStra
 
 /** @return A part of the picture. */
 static PixelGrid random_grid(uint64_t *state) {
-    return (PixelGrid){.x = (int)(2 * MOST * random_unit_double(state)),
-                       .y = (int)(MOST * random_unit_double(state)),
+    return (PixelGrid){.x = (int)(MOST * random_unit_double(state)),
+                       .y = (int)(MOST / 2 * random_unit_double(state)),
                        .columns = 1 + (int)(MOST * random_unit_double(state)),
                        .rows = 1 + (int)(MOST * random_unit_double(state)),
                        .stride = random_unit_double(state) < 0.7 ? 1 : 3,

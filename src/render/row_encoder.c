@@ -57,8 +57,8 @@ static inline AVX2 void rgb_store_avx2(__m256i red, __m256i green, __m256i blue,
         _mm256_setr_epi8(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1, 0, 1, 2, 4, 5, 6,
                          8, 9, 10, 12, 13, 14, -1, -1, -1, -1);
     const __m256i without_gap = _mm256_setr_epi32(0, 1, 2, 4, 5, 6, 3, 7);
-    __m256i packed = _mm256_permutevar8x32_epi32(_mm256_shuffle_epi8(pixels, without_fourth),
-                                                 without_gap);
+    __m256i packed =
+        _mm256_permutevar8x32_epi32(_mm256_shuffle_epi8(pixels, without_fourth), without_gap);
     _mm_storeu_si128((__m128i *)(void *)rgb, _mm256_castsi256_si128(packed));
     _mm_storel_epi64((__m128i *)(void *)(rgb + 16), _mm256_extracti128_si256(packed, 1));
 }

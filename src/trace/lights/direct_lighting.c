@@ -140,8 +140,8 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
     bool is_clear = sample->target && light_sample_is_clear(opaque, sample, &intervals);
-    if (sample->target && (!is_clear || surface->interior || light->methods ||
-                           surface->packet->context.recorders)) {
+    if (sample->target &&
+        (!is_clear || surface->interior || light->methods || surface->packet->context.recorders)) {
         light_sample_aim(sample);
     }
     if (light->methods & METHOD_SHADOW_BY_SHAPE) {

@@ -19,7 +19,7 @@
  * root if it falls off.
  */
 typedef struct LightSample {
-    Packet shadow_rays;                    /**< Rays to the light; active where it may shine. */
+    Packet shadow_rays; /**< Rays to the light; active where it may shine. */
     const Vec3 *target; /**< The point of the light at which all rays end; not owned. Only their
                              origins are set then, until light_sample_aim(): most rays are never
                              traced. NULL: there is none. */

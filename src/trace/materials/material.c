@@ -38,8 +38,8 @@ Material material_of(const SceneMaterial *scene, Rgbd ambient_light) {
     Material material = {MATERIAL_PROPERTIES(PROPERTY, PROPERTY)};
 #undef PROPERTY
     bool turns = rgbs_is_positive(material.reflectance) || rgbs_is_positive(material.transmittance);
-    material.traits = (rgbs_is_positive(material.specular) ? MATERIAL_SHINES : 0) |
-                      (turns ? MATERIAL_TURNS : 0);
+    material.traits =
+        (rgbs_is_positive(material.specular) ? MATERIAL_SHINES : 0) | (turns ? MATERIAL_TURNS : 0);
     return material;
 }
 

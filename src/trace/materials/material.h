@@ -68,8 +68,8 @@ INLINE MaterialPack material_pack_select(mask m, const MaterialPack *a, const Ma
 #undef NUMBER
 }
 
-/** @return emission + albedo (ambient + diffuse D): the radiance of a matt surface. @param light Its
- *  sum D of direct light. */
+/** @return emission + albedo (ambient + diffuse D): the radiance of a matt surface. @param light
+ * Its sum D of direct light. */
 INLINE Rgb diffuse_color(const MaterialPack *material, Rgb light) {
     Rgb all = rgb_add(material->ambient, rgb_scale(light, material->diffuse));
     return rgb_add(material->emission, rgb_multiply(material->albedo, all));

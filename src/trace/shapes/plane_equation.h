@@ -79,8 +79,8 @@ INLINE real plane_equation_slope(const PlaneEquation *plane, Vec3 direction) {
 static inline scalar plane_equation_farthest(const PlaneEquation *plane, const Beam *beam) {
     const Vec3s n = plane->normal;
     scalar height = real_lane(plane_equation_height(plane, beam->origin), 0);
-    scalar length = SCALAR_SQRT(vec3s_dot(beam->axis, beam->axis)) +
-                    vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up);
+    scalar length = SCALAR_SQRT(vec3s_dot(beam->axis, beam->axis)) + vec3s_abs_sum(beam->across) +
+                    vec3s_abs_sum(beam->up);
     scalar slope = vec3s_dot(n, beam->axis) + scalar_abs(vec3s_dot(n, beam->across)) +
                    scalar_abs(vec3s_dot(n, beam->up)) + BEAM_SLACK * length;
     // Both are negative for rays that come from the front and meet it before themselves.

@@ -109,8 +109,8 @@ typedef struct ShapeClass {
      *          #covers and #covered_hits come together. */
     bool (*covers)(const Shape *self, const Beam *beam);
 
-    /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL: none.
-     *          A class with a plane has #covers. */
+    /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL:
+     * none. A class with a plane has #covers. */
     const PlaneEquation *(*plane)(const Shape *self);
 
     /** #is_hit for a packet of a beam that the shape covers: to the bit the same, for less. */

@@ -97,8 +97,7 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
 INLINE mask sphere_may_meet(const Sphere *sphere, const Ray *ray) {
     Vec3w to_center = vec3w_subtract(vec3w_splat(sphere->center), vec3_widen(ray->origin));
     wide along = vec3w_dot(to_center, vec3_widen(ray->direction));
-    wide center_power =
-        vec3w_dot(to_center, to_center) - wide_of(sphere->radius * sphere->radius);
+    wide center_power = vec3w_dot(to_center, to_center) - wide_of(sphere->radius * sphere->radius);
     return narrow_mask(wide_less(wide_of(0), along)) |
            narrow_mask(wide_less_equal(center_power, wide_of(0)));
 }

@@ -194,8 +194,8 @@ static inline bool polygon_covers_beam(const PolygonEdges *edges, const Beam *be
     real side = vec3_dot(n, vec3_splat(beam->axis));
     real spread = real_abs(vec3_dot(n, vec3_splat(beam->across))) +
                   real_abs(vec3_dot(n, vec3_splat(beam->up)));
-    real length = real_of(vec3s_abs_sum(beam->axis) + vec3s_abs_sum(beam->across) +
-                          vec3s_abs_sum(beam->up));
+    real length =
+        real_of(vec3s_abs_sum(beam->axis) + vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up));
     real least = spread + COVER_SLACK * length * vec3_abs_sum(a) * vec3_abs_sum(b);
     return mask_bits(side > least) == ALL_LANES || mask_bits(-side > least) == ALL_LANES;
 }

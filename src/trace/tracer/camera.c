@@ -107,7 +107,7 @@ static void camera_generate_selected_rays(const Camera *camera, const PixelGrid 
 }
 
 Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
-                               int index) {
+                        int index) {
     GridPosition first = grid_packet_position(grid, index);
     PixelGrid part = *grid;
     part.x += first.column * grid->stride;

@@ -133,9 +133,9 @@ PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *poin
     return intervals_to_point(low, high, point, real_reduce_max(limit));
 }
 
-/** @return The interval of a beam along one axis. @param axis, half_width The component of its axis,
- *  and how far others are from it. @param length Shortest and longest of its directions, before
- *  they are normalized. */
+/** @return The interval of a beam along one axis. @param axis, half_width The component of its
+ * axis, and how far others are from it. @param length Shortest and longest of its directions,
+ * before they are normalized. */
 static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_width,
                                        const scalar length[2]) {
     scalar low = axis - half_width, high = axis + half_width;

@@ -150,8 +150,8 @@ PacketIntervals packet_intervals(const Packet *packet);
  *          axis along which rays go both ways clips nothing. */
 PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point);
 
-/** @return The same. @param low, high Least and greatest origins, per lane. @param limit The largest
- *  limit. */
+/** @return The same. @param low, high Least and greatest origins, per lane. @param limit The
+ * largest limit. */
 PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit);
 
 /** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays

@@ -124,9 +124,9 @@ static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, 
     return true;
 }
 
-/** @return The plane of a shape that is the first that all rays of a beam meet, from the front; NULL:
- *          nobody knows. @param candidates The shapes that they may meet; at least one. */
-static const PlaneEquation *plain_plane(const Tracer *tracer, const Beam *beam, 
+/** @return The plane of a shape that is the first that all rays of a beam meet, from the front;
+ * NULL: nobody knows. @param candidates The shapes that they may meet; at least one. */
+static const PlaneEquation *plain_plane(const Tracer *tracer, const Beam *beam,
                                         const BeamCandidates *candidates) {
     const Shape *shape = candidates->nearest;
     if (!shape->class->plane || tracer->materials[shape->material].traits) {

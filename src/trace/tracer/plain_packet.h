@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Plain packets: camera rays that all see the empty sky, or one flat, matt, opaque shape that
- *        no other keeps from any lamp.
+ * @brief Plain packets: camera rays that all see the empty sky, or one flat, matt, opaque shape
+ * that no other keeps from any lamp.
  *
  * That is most of a room. What makes a packet plain is found once for its beam; a loop is left in
  * which nothing is searched, selected or recorded. The operations on each ray and their order are
@@ -13,15 +13,16 @@
 
 #include "trace/tracer/tracer.h"
 
-/** @return Whether a grid of camera rays may have plain packets: the scene has no transparent shape,
- *          texture, visible lamp or report's method, and nothing is recorded of the rays. */
+/** @return Whether a grid of camera rays may have plain packets: the scene has no transparent
+ * shape, texture, visible lamp or report's method, and nothing is recorded of the rays. */
 bool plain_packets_are_possible(const Tracer *tracer, const PixelGrid *grid);
 
 /**
  * Finds the colours of a packet of camera rays, if it is plain.
  * @param grid  Its pixels; see plain_packets_are_possible().
  * @param index  Index of the packet, below grid_packet_count().
- * @param[out] colors  The radiance that arrives along each ray; undefined if the packet is not plain.
+ * @param[out] colors  The radiance that arrives along each ray; undefined if the packet is not
+ * plain.
  * @param[in,out] counts  The shadow rays that were spared count as traced.
  * @return Whether it is plain.
  */

@@ -53,8 +53,7 @@ INLINE void find_materials(const Tracer *tracer, SurfaceHit *surface) {
     }
     surface->traits = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialIds ids =
-            material_ids_of(&tracer->shapes, &surface->hits[v], surface->is_hit[v]);
+        MaterialIds ids = material_ids_of(&tracer->shapes, &surface->hits[v], surface->is_hit[v]);
         surface->material_ids[v] = ids;
         surface->traits |= any(surface->is_hit[v]) ? material_ids_traits(materials, &ids) : 0;
     }
@@ -147,7 +146,8 @@ INLINE void shade_uniform_surfaces(const SurfaceHit *surface, const DirectLighti
         material_pack_splat(&surface->materials[surface->material_ids[0].first]);
     const bool shines = surface->traits & MATERIAL_SHINES;
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        colors[v] = rgb_select(surface->is_hit[v], local_color(&material, lighting, shines, v), colors[v]);
+        colors[v] =
+            rgb_select(surface->is_hit[v], local_color(&material, lighting, shines, v), colors[v]);
     }
 }
 
@@ -178,9 +178,8 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
     bool shines = (surface->traits & MATERIAL_SHINES) || tracer->methods;
     DirectLighting lighting;
     Rgb texture_color[PACKET_VECTORS];
-    context->counts->shadow +=
-        shade_direct(&tracer->shapes, tracer->lights, tracer->light_count, &tracer->ray_offset,
-                     shines, surface, &lighting);
+    context->counts->shadow += shade_direct(&tracer->shapes, tracer->lights, tracer->light_count,
+                                            &tracer->ray_offset, shines, surface, &lighting);
     if (has_textures) {
         textures_sample(&tracer->textures, &tracer->shapes, surface, texture_color);
     }

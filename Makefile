@@ -264,6 +264,14 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
 	@ln -sfr $(WORKER) $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests $(UNCOUNTED) $(TEST_COUNTERS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
+# The compaction of wavefronts at each engine's number type and width.
+COMPACTION_OBJECTS := $(ENGINES:%=$(OBJ)/tests/compaction/%.o)
+$(COMPACTION_OBJECTS): $(OBJ)/tests/compaction/%.o: tests/compaction/compaction.c $(FLAGS)
+	@mkdir -p $(@D)
+	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(UNCOUNTED) -Wno-psabi $(FLAGS_$*) -DCHECKS=compaction_$* -MMD -MP -c -o $@ $<
+$(BUILD)/tests/test_compaction: tests/test_compaction.c $(COMPACTION_OBJECTS)
+$(BUILD)/tests/test_compaction: private CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
+$(BUILD)/tests/test_compaction: private WITH_ROOMS := $(COMPACTION_OBJECTS) $(WITH_ROOMS)
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 

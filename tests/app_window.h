@@ -23,6 +23,7 @@ typedef struct AppWindow {
     void *files;           /**< The #Fixture with the folder of the scene file, and of copies. */
     char path[PATH_MAX];   /**< The scene file. */
     char loaded[PATH_MAX]; /**< The file that was loaded last. */
+    int own_depth;         /**< Depth of its scene without a lesson; 0: as with it. */
 } AppWindow;
 
 /** The only window: SDL has one video driver. */
@@ -52,7 +53,7 @@ static const char *app_folder(void) {
 
 /** Loads the scene. See #ViewLoader. */
 static Scene *load(void *context, const ViewRequest *request, const atomic_bool *stop,
-                   RenderSettings *render, Lesson **lesson, Error *error) {
+                   RenderSettings *render, RenderSettings *own, Lesson **lesson, Error *error) {
     const ScriptRequest script = {.path = request->path ? request->path : opened.loaded,
                                   .time_limit = SCRIPT_TIME_LIMIT,
                                   .memory_limit = SCRIPT_MEMORY_LIMIT,
@@ -60,7 +61,8 @@ static Scene *load(void *context, const ViewRequest *request, const atomic_bool 
                                   .override_count = request->override_count};
     (void)context, (void)stop;
     *lesson = NULL;
-    *render = opened.settings.render;
+    *render = *own = opened.settings.render;
+    own->trace.depth = opened.own_depth > 0 ? opened.own_depth : own->trace.depth;
     Scene *scene = script_load(&script, error);
     if (scene && request->path) {
         SDL_strlcpy(opened.loaded, request->path, sizeof opened.loaded);
@@ -116,7 +118,8 @@ static int open_app_window(const char *text, const char *part) {
                                      .load = load};
     RenderSettings render;
     Lesson *lesson;
-    Scene *scene = load(NULL, &(ViewRequest){.path = opened.path}, NULL, &render, &lesson, &error);
+    Scene *scene =
+        load(NULL, &(ViewRequest){.path = opened.path}, NULL, &render, &render, &lesson, &error);
     if (!scene) {
         print_error("%s\n", error.message);
         return -1;

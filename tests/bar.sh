@@ -128,7 +128,17 @@ sleep 1
 [ "$(epsilon)" = "$held" ] && ok 'the slider of epsilon holds still' || fail "epsilon went from $held to $(epsilon)"
 # A linear scale would have tenths there.
 awk "BEGIN { exit !($held > 1e-10 && $held < 1e-4) }" && ok 'its scale is logarithmic' || fail "epsilon is $held"
-xdotool mouseup 1 key BackSpace
+# The same gesture goes on after a rest: one undo takes back all of it, with the offset.
+xdotool mousemove --window "$window" 520 24
+settled
+[ "$(epsilon)" = "$held" ] && fail 'the slider goes on' || ok 'the slider goes on'
+moved=$(epsilon)
+xdotool mouseup 1 mousemove --window "$window" 400 500 key ctrl+z
+expect_shown 'finished$' 'Ctrl+Z takes back the whole gesture of a slider'
+xdotool key ctrl+y o shift+o bracketright
+expect_shown 'finished — epsilon: ' 'the same settings once more'
+awk "BEGIN { exit !($(epsilon) == 2 * $moved) }" && ok 'Ctrl+Y does it again' || fail "epsilon is $(epsilon), not twice $moved"
+xdotool key ctrl+z BackSpace
 settled
 xdotool key F2
 settled

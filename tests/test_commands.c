@@ -7,6 +7,7 @@
 #include "no_thumbnails.h"
 
 #include "view/gui/typeface.h"
+#include "view/window_internal.h"
 
 /** A scene with two lights, glass, a mirror and a field that is marched to. */
 static const char SCENE[] =
@@ -114,6 +115,127 @@ static void test_settings(void **state) {
     assert_status("rays go ");
 }
 
+/** @return Whether what is chosen of the pictures is another than before. */
+static bool is_other_than(const PictureChoice *before) {
+    const PictureChoice now = window_choice(&opened.app.window);
+    return !picture_choice_is_same(before, &now, &opened.app.window.base_settings);
+}
+
+/** Each command that changes settings, layer or pictures is taken back by one undo, and done again.
+ */
+static void test_undo_choices(void **state) {
+    (void)state;
+    const PictureChoice first = window_choice(&opened.app.window);
+    for (const Command *row = command_table; command_is_row(row); row++) {
+        if (!(row->flags & COMMAND_CHOICE) || command_is(row, "as at first") ||
+            command_is(row, "layer light")) { // They are so already.
+            continue;
+        }
+        run_and_settle(row->name);
+        const PictureChoice then = window_choice(&opened.app.window);
+        if (!is_other_than(&first)) {
+            // One sample is the fewest.
+            assert_string_equal(row->name, "samples half");
+            continue;
+        }
+        run_and_settle("undo");
+        if (is_other_than(&first)) {
+            fail_msg("%s is not undone", row->name);
+        }
+        assert_string_equal(opened.app.title.status_text, ""); // It named the setting of before.
+        run_and_settle("redo");
+        assert_false(is_other_than(&then));
+        run("as at first");
+        assert_false(is_other_than(&first));
+        run_and_settle("undo");
+        assert_false(is_other_than(&then));
+        run_and_settle("as at first");
+    }
+}
+
+/** What a held key or a slider changes is one step; key presses are one each; a second picture and
+ *  the one that keys change come back, too. */
+static void test_undo_gesture(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const RenderSettings first = requested();
+    const Command *twice = command_find(command_table, "epsilon twice");
+    for (int gesture = 0; gesture < 2; gesture++) {
+        command_issue(app, twice, clock_now_seconds());
+        command_continue(app, twice, clock_now_seconds());
+        command_continue(app, twice, clock_now_seconds());
+    }
+    assert_true(requested().trace.epsilon == 64 * first.trace.epsilon);
+    run_and_settle("undo");
+    assert_true(requested().trace.epsilon == 8 * first.trace.epsilon);
+    run_and_settle("undo");
+    assert_true(requested().trace.epsilon == first.trace.epsilon);
+    assert_int_equal(requested().trace.offset, first.trace.offset);
+    run("deeper");
+    run("deeper");
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth + 1);
+    run_and_settle("split");
+    run_and_settle("samples twice"); // Of the right picture.
+    run("other side");
+    run_and_settle("undo");
+    assert_int_equal(app->window.split.active, 1);
+    assert_int_equal(requested().samples, first.samples);
+    run_and_settle("undo");
+    assert_int_equal(window_viewport_count(&app->window), 1);
+}
+
+/** Settings, moves and changes of objects are taken back in the order in which they were made. */
+static void test_undo_order(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const RenderSettings first = requested();
+    const double fov = app->scene->camera.fov;
+    const int sphere = scene_object_keyword_find("sphere");
+    const SceneOverride wider = {sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    run("deeper");
+    edits_set(app, &wider, false);
+    assert_true(settle());
+    run("deeper");
+    app_zoom(app, 1);
+    run("layer normals");
+    assert_true(settle());
+    const Viewport *viewport = &app->window.viewports[0];
+    run_and_settle("undo");
+    assert_int_equal(viewport->layer, LAYER_SHADED);
+    assert_true(app->scene->camera.fov < fov);
+    run_and_settle("undo");
+    assert_true(app->scene->camera.fov == fov);
+    assert_int_equal(requested().trace.depth, first.trace.depth + 2);
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth + 1);
+    assert_int_equal(edit_history_in_force(&app->edits), 1);
+    run_and_settle("undo");
+    assert_int_equal(edit_history_in_force(&app->edits), 0);
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth);
+    run("undo");
+    assert_status("there is nothing to undo");
+    for (int i = 0; i < 5; i++) {
+        run_and_settle("redo");
+    }
+    assert_int_equal(requested().trace.depth, first.trace.depth + 2);
+    assert_int_equal(edit_history_in_force(&app->edits), 1);
+    assert_int_equal(viewport->layer, LAYER_NORMALS);
+    assert_true(app->scene->camera.fov < fov);
+    // The file is written anew: no change of an object is left to be undone before the others.
+    SDL_Delay(20);
+    write_text("scene.lua", SCENE);
+    current_scene_on_file_event(app);
+    assert_true(settle());
+    run_and_settle("undo");
+    assert_int_equal(viewport->layer, LAYER_SHADED);
+    run_and_settle("undo");
+    run_and_settle("undo");
+    run_and_settle("undo");
+    assert_int_equal(requested().trace.depth, first.trace.depth);
+}
+
 /** The inspector that appears asks for the frames that show it: its first one finds its size. */
 static void test_inspector_appears(void **state) {
     (void)state;
@@ -128,6 +250,104 @@ static void test_inspector_appears(void **state) {
     run("next thing");
     assert_true(window->object_inspector.number > 0);
     assert_true(gui_needs_frame(window->gui));
+}
+
+/** @return How many texts of the last frame contain some words. */
+static size_t count_texts(const char *words) {
+    const GuiText *texts;
+    const size_t count = gui_texts(opened.app.window.gui, &texts);
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        found += strstr(texts[i].text, words) != NULL;
+    }
+    return found;
+}
+
+/** Has the window drawn until all of it is where it belongs. */
+static void draw(void) {
+    for (int i = 0; i < 4; i++) {
+        window_present(&opened.app.window);
+    }
+}
+
+/** All things are listed: camera, lights, shapes; what is chosen is selected, and Esc leads back to
+ *  the list before it closes that. */
+static void test_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    assert_int_equal(count_texts("camera"), 1);
+    assert_int_equal(count_texts("lamp 1 (line 2)"), 1);
+    assert_int_equal(count_texts("sphere 1 (line 4)"), 1);
+    for (size_t i = 0; i < 5; i++) {
+        static const char *const keywords[] = {NULL, "light", "light", "sphere", "sdf"};
+        inspector->request = INSPECTOR_CHOOSE;
+        inspector->chosen = i;
+        edits_handle_requests(app);
+        draw();
+        assert_true(object_inspector_has_thing(inspector));
+        assert_int_equal(inspector->is_camera, i == 0);
+        assert_true(i == 0 || inspector->keyword == scene_object_keyword_find(keywords[i]));
+        assert_int_equal(inspector->number, i == 2 ? 2 : i > 0);
+        assert_int_equal(app->selected_light, i >= 2); // The one that was chosen stays so.
+        assert_true(count_texts(i == 0 ? "field of view" : "write into the file") > 0);
+        run("leave");
+        assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    }
+    run("leave");
+    assert_false(object_inspector_is_open(inspector) || app->exit.is_requested);
+    // From a thing its button leads to the list; once more closes it.
+    edits_click(app, 0.5, 0.5);
+    inspector->request = INSPECTOR_THINGS;
+    edits_handle_requests(app);
+    assert_true(inspector->lists && !object_inspector_has_thing(inspector));
+    run("things");
+    assert_false(object_inspector_is_open(inspector));
+}
+
+/** Opens a window on a scene with very many things. @return 0 if it is open. */
+static int set_up_many(void **state) {
+    (void)state;
+    return open_app_window("camera { position = {0, 0, 6} }\nlight {}\n"
+                           "for i = 1, 20000 do sphere { center = {i, 0, 0}, radius = 0.1 } end\n",
+                           "");
+}
+
+/** Of very many things only those in sight are written. */
+static void test_many_things(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (!typeface_find()) {
+        skip();
+    }
+    gui_record_texts(app->window.gui, true);
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    run("things");
+    draw();
+    assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
+    assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
+    // It leads back to the thing that was chosen.
+    inspector->request = INSPECTOR_CHOOSE;
+    inspector->has_chosen = true;
+    inspector->chosen = 2 + 9999;
+    edits_handle_requests(app);
+    draw();
+    assert_int_equal(inspector->number, 10000);
+    run("leave");
+    draw();
+    assert_int_equal(count_texts("sphere 10000 (line 3)"), 1);
+    assert_true(count_texts("sphere") < 40);
 }
 
 /** Settings that change are shown for a while, but not over the toolbar's own. */
@@ -443,6 +663,24 @@ static void press(SDL_Keycode key) {
     }
 }
 
+/** A key takes the readout away once the mouse has rested for some seconds; motion brings it back,
+ *  and the magnifier keeps it. */
+static void test_readout_of_resting_mouse(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    SDL_Event motion = {.motion = {.type = SDL_MOUSEMOTION, .x = 20, .y = 20}};
+    input_handle_event(&opened.app, &motion);
+    press(SDLK_3);
+    assert_false(window->is_mouse_left); // Just moved.
+    window->mouse_time -= 6;
+    press(SDLK_1);
+    assert_true(window->is_mouse_left);
+    window_read_pixel(window);
+    assert_false(window->readout.is_shown);
+    input_handle_event(&opened.app, &motion);
+    assert_false(window->is_mouse_left);
+}
+
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
  *  there again. */
 static void test_help_over_list(void **state) {
@@ -552,8 +790,13 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_other_scene, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_settings, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_choices, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_gesture, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undo_order, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_things, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_many_things, set_up_many, close_app_window),
         cmocka_unit_test_setup_teardown(test_layers, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_split, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_difference_of_layers, set_up, close_app_window),
@@ -564,6 +807,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_readout_of_resting_mouse, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),

@@ -7,6 +7,7 @@
 #include "base/encoding.h"
 #include "render/difference_map.h"
 #include "render/palette.h"
+#include "render/render_pass.h"
 
 /** Size of the pictures that every engine traces. */
 enum { AOV_WIDTH = 45, AOV_HEIGHT = 29 };
@@ -575,6 +576,8 @@ static void test_marks(void **state) {
 typedef struct FirstPass {
     Renderer *renderer;               /**< Renders it. */
     bool is_seen;                     /**< Whether it was shown. */
+    double time;                      /**< When, seconds. */
+    double next_time;                 /**< When the pass after it was shown; 0: not yet. */
     double measured_fraction;         /**< Share of the pixels whose number it knows. */
     uint8_t bgrx[4 * WIDTH * HEIGHT]; /**< Its colours. */
 } FirstPass;
@@ -583,14 +586,18 @@ typedef struct FirstPass {
 static void keep_first_pass(void *context) {
     FirstPass *first = context;
     RenderStats report;
+    double now = clock_now_seconds();
     if (!first->is_seen && renderer_copy_latest(first->renderer, &report, first->bgrx, 4 * WIDTH)) {
         first->is_seen = true;
+        first->time = now;
         first->measured_fraction = report.layer.measured_fraction;
+    } else if (first->next_time == 0) {
+        first->next_time = now;
     }
 }
 
 /** Layers that trace more than the picture show the picture first, in grey, so that a key is
- *  answered as fast as in the picture. */
+ *  answered as fast as in the picture. The slow passes leave it the time to reach the screen. */
 static void test_previews(void **state) {
     (void)state;
     static FirstPass first;
@@ -607,6 +614,7 @@ static void test_previews(void **state) {
         wait_until_finished(renderer);
         assert_true(first.is_seen);
         assert_int_equal(first.measured_fraction == 0, has_preview);
+        assert_true(!has_preview || first.next_time - first.time >= PREVIEW_PAUSE);
         int brightest = 0;
         for (size_t i = 0; has_preview && i < WIDTH * HEIGHT; i++) {
             const uint8_t *pixel = first.bgrx + 4 * i;

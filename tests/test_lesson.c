@@ -223,7 +223,9 @@ static void test_steps(void **state) {
                                "mark(0.5, 1)\n"
                                "move(\"sphere\", 3, 0.5, -1, 2)\n"
                                "move(\"sphere\", 3, 0.5, -1, 2, true)\n"
-                               "set(\"sphere\", 3, \"radius\", 1.5)\n";
+                               "set(\"sphere\", 3, \"radius\", 1.5)\n"
+                               "press \"deeper\"\n"
+                               "press(\"deeper\", true)\n";
     static const char *const wrong[][2] = {
         {"size(320)", "size(WIDTH, HEIGHT)"},
         {"size(0, 10)", "size must be at least 1"},
@@ -243,7 +245,7 @@ static void test_steps(void **state) {
     if (!lesson) {
         fail_msg("%s", error.message);
     }
-    assert_int_equal(lesson->count, 7);
+    assert_int_equal(lesson->count, 9);
     const LessonStep *steps = lesson->steps;
     assert_int_equal(steps[0].kind, LESSON_SIZE);
     assert_true(steps[0].x == 320 && steps[0].y == 240);
@@ -263,6 +265,11 @@ static void test_steps(void **state) {
     assert_int_equal(steps[6].kind, LESSON_SET);
     assert_int_equal(steps[6].row, scene_object_row_find(steps[6].keyword, "radius"));
     assert_true(steps[6].x == 1.5);
+    for (int i = 7; i < 9; i++) {
+        assert_int_equal(steps[i].kind, LESSON_PRESS);
+        assert_int_equal(steps[i].action, steps[7].action);
+        assert_int_equal(steps[i].continues, i == 8);
+    }
     lesson_destroy(lesson);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char line[256];

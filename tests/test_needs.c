@@ -271,6 +271,26 @@ static void test_no_picture_refutes(void **state) {
     }
 }
 
+/** What quad alone cures makes no setting finer: each correction helps, by itself or with others.
+ */
+static void test_corrections_help(void **state) {
+    (void)state;
+    Scene *scene = load_scene("tests/scenes/glass-cones.lua");
+    RenderSettings settings = render_settings_default(scene);
+    NeedsRequest request = request_of(scene, &settings, 1);
+    request.width = WIDTH / 3;
+    request.height = HEIGHT / 3;
+    Needs needs = find_needs(scene, &request);
+    assert_int_equal((int)needs.check_count, 2);
+    assert_true(needs_is_refuted(&needs)); // By quad: light is trapped for hundreds of turns.
+    for (int i = 0; i < needs.correction_count; i++) {
+        const NeedsCorrection *correction = &needs.corrections[i];
+        assert_true(correction->without.off < correction->trial.off);
+    }
+    assert_true(needs.settings.cutoff >= CUTOFF_DEFAULT / 16);
+    scene_destroy(scene);
+}
+
 /** Coarser tolerances move the edges of a sponge, and the search sees it: they are not "worth 0
  *  steps". */
 static void test_tolerance_moves_edges(void **state) {
@@ -381,6 +401,7 @@ int main(void) {
                                        cmocka_unit_test(test_forecasts),
                                        cmocka_unit_test(test_depths),
                                        cmocka_unit_test(test_no_picture_refutes),
+                                       cmocka_unit_test(test_corrections_help),
                                        cmocka_unit_test(test_tolerance_moves_edges),
                                        cmocka_unit_test(test_samples_are_raised),
                                        cmocka_unit_test(test_errors_in_order),

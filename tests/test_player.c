@@ -124,12 +124,77 @@ static void test_marked_pixel(void **state) {
     }
 }
 
+/** A lesson that changes settings: two key presses, a key that is held, an undo. */
+static const char SETTINGS[] = "lesson { scene = \"scene.lua\", depth = 0 }\n"
+                               "press \"deeper\"\n"
+                               "press \"epsilon twice\"\n"
+                               "press(\"epsilon twice\", true)\n"
+                               "press \"deeper\"\n"
+                               "press \"undo\"\n"
+                               "press \"undo\"\n"
+                               "caption { en = \"One\", wait = true }\n"
+                               "press \"redo\"\n"
+                               "caption { en = \"Two\", wait = true }\n"
+                               "press \"as at first\"\n"
+                               "caption { en = \"Three\", wait = true }\n"
+                               "press \"deeper\"\n";
+
+/** Opens the window with that lesson, whose depth is not that of the scene alone. @return 0 if it
+ *  is open. */
+static int set_up_settings(void **state) {
+    (void)state;
+    if (open_lesson_window(SCENE, SETTINGS) != 0) {
+        return -1;
+    }
+    opened.own_depth = opened.app.window.own_settings.trace.depth = 5;
+    return 0;
+}
+
+/** A lesson takes settings back as its viewer would: a gesture at once. Once it is over, its
+ *  settings stay, and settings as at first are those of the scene alone. */
+static void test_settings_of_lesson(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const RenderSettings first = window_requested_settings(&app->window);
+    frames();
+    assert_at(PLAYER_WAITS, LESSON_CAPTION);
+    RenderSettings present = window_requested_settings(&app->window);
+    assert_int_equal(present.trace.depth, first.trace.depth + 1);
+    assert_true(present.trace.epsilon == first.trace.epsilon);
+    steer("time on");
+    present = window_requested_settings(&app->window);
+    assert_true(present.trace.epsilon == 4 * first.trace.epsilon);
+    steer("time on");
+    present = window_requested_settings(&app->window);
+    assert_int_equal(present.trace.depth, first.trace.depth);
+    steer("time on");
+    assert_int_equal(app->player.state, PLAYER_IS_FINISHED);
+    player_end(app);
+    frames();
+    present = window_requested_settings(&app->window);
+    assert_int_equal(present.trace.depth, first.trace.depth + 1);
+    assert_true(settle());
+    current_scene_reload(app); // Later loads have no lesson either.
+    assert_true(settle());
+    run("as at first");
+    assert_true(settle());
+    assert_int_equal(app->window.viewports[0].settings.trace.depth, 5);
+    run("undo");
+    assert_true(settle());
+    assert_int_equal(app->window.viewports[0].settings.trace.depth, first.trace.depth + 1);
+    run("undo"); // What the lesson has changed can be undone, too.
+    assert_true(settle());
+    assert_int_equal(app->window.viewports[0].settings.trace.depth, first.trace.depth);
+}
+
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, close_lesson_window),
         cmocka_unit_test_setup_teardown(test_space_with_explanation, set_up, close_lesson_window),
         cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_settings_of_lesson, set_up_settings,
+                                        close_lesson_window),
     };
     return cmocka_run_group_tests_name("player", tests, NULL, NULL);
 }

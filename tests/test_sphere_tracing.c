@@ -330,6 +330,72 @@ static void test_offset_rays(void **state) {
     for_every_engine(check_offset_rays);
 }
 
+/* --- inside a solid --------------------------------------------------------------------------- */
+
+/** @return Whether a point is in the solid of a sponge of edge 1 with two sizes of holes: in the
+ * base of three, a hole has the digit 1 along two axes. */
+static bool is_in_sponge(const double *p) {
+    bool is_solid = true;
+    for (int cells = 3; cells <= 9; cells *= 3) {
+        int middles = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            int cell = (int)floor((p[axis] + 0.5) * cells);
+            is_solid = is_solid && fabs(p[axis]) < 0.5;
+            middles += cell % 3 == 1;
+        }
+        is_solid = is_solid && middles < 2;
+    }
+    return is_solid;
+}
+
+/** @return Whether a point lies deeper in the solid than a number of tolerances. */
+static bool is_deep_in_sponge(const Quadruple *point, double tolerances) {
+    bool is_deep = true;
+    for (int corner = 0; corner < 8; corner++) {
+        double p[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double margin = tolerances * usual.tolerance;
+            p[axis] = (double)point[axis] + (corner >> axis & 1 ? margin : -margin);
+        }
+        is_deep = is_deep && is_in_sponge(p);
+    }
+    return is_deep;
+}
+
+/** Rays that start in the solid of a sponge, as in glass, meet nothing but its surface. */
+static void check_rays_in_sponge(const Engine *engine) {
+    uint64_t seed = 3;
+    long false_count = 0, missed_count = 0, count = 0;
+    Sdf *sponge = make_sdf("menger", NULL);
+    sponge->nodes[0].operands[1] = 2; // Sizes of holes.
+    Tracer *tracer = marched(engine, sponge, usual);
+    for (int i = 0; i < 4000; i++) {
+        RayQueryQuad ray;
+        RayResult hit;
+        for (int axis = 0; axis < 3; axis++) {
+            ray.origin[axis] = random_float(&seed, -0.5, 0.5);
+            ray.direction[axis] = random_float(&seed, -1, 1);
+        }
+        if (!is_deep_in_sponge(ray.origin, 64)) {
+            continue;
+        }
+        engine->intersect(tracer, 1, &ray, &hit);
+        count++;
+        missed_count += hit.shape < 0;
+        false_count += hit.shape >= 0 && is_deep_in_sponge(hit.point, 4);
+    }
+    engine->destroy(tracer);
+    assert_true(count > 500);
+    assert_at_most(missed_count, 0, "%s: rays that leave a sponge unseen", engine->name);
+    assert_at_most(false_count, 0, "%s: surfaces within the solid of a sponge", engine->name);
+}
+
+/** @param state Not used. */
+static void test_rays_in_sponge(void **state) {
+    (void)state;
+    for_every_engine(check_rays_in_sponge);
+}
+
 /* --- equal bits ------------------------------------------------------------------------------- */
 
 /** Wide engines return the bits of narrow ones. */
@@ -470,9 +536,9 @@ static void test_step_limit(void **state) {
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_twins),      cmocka_unit_test(test_offset_rays),
-        cmocka_unit_test(test_same_bits),  cmocka_unit_test(test_footprint),
-        cmocka_unit_test(test_step_limit),
+        cmocka_unit_test(test_twins),          cmocka_unit_test(test_offset_rays),
+        cmocka_unit_test(test_rays_in_sponge), cmocka_unit_test(test_same_bits),
+        cmocka_unit_test(test_footprint),      cmocka_unit_test(test_step_limit),
     };
     return cmocka_run_group_tests_name("marching", tests, NULL, NULL);
 }

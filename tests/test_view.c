@@ -464,7 +464,7 @@ static void test_tooltips(void **state) {
             assert_false(earlier && strcmp(earlier, sentence) == 0);
         }
     }
-    assert_int_equal(count, 37);
+    assert_int_equal(count, 38);
     assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");
@@ -921,6 +921,13 @@ static void test_title(void **state) {
     title_write(&content, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
                                " — light 2 of 3 — saved x.bmp");
+    // Where there is little room the message is whole, and not what the picture costs.
+    content.room = 60;
+    title_write(&content, title);
+    assert_string_equal(title, "box — 800×600, pass 1 px, finished — light 2 of 3 — saved x.bmp");
+    content.room = 120;
+    title_write(&content, title);
+    assert_non_null(strstr(title, "85 Mrays/s"));
     report.rays.unresolved = 60000;
     content.status_text = "";
     title_write(&content, title);
@@ -1149,11 +1156,12 @@ static void test_legend(void **state) {
     assert_true(rays.has_bar && rays.entry_count == 5);
     Legend error = legend_of(scene, LAYER_ERROR, 0, 1, false);
     assert_string_equal(error.notes[0], "so far, off by over a step: 3 (0.3 %)");
-    assert_string_equal(error.notes[1], "reference f128x1: 25 % of the pixels, 40 % of the work");
+    assert_string_equal(error.notes[1],
+                        "reference quad (f128x1): 25 % of the pixels, 40 % of the work");
     assert_string_equal(error.notes[2], "2 places have rings");
     error = legend_of(scene, LAYER_ERROR, 0, 1, true);
     assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
-    assert_string_equal(error.notes[1], "reference: f128x1");
+    assert_string_equal(error.notes[1], "reference: quad (f128x1)");
     Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
     assert_false(steps.has_bar);
     assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");
@@ -1191,7 +1199,8 @@ typedef struct LoadRequests {
 
 /** Loads a scene. See #ViewLoader. @return A scene; NULL for `wrong.lua`. */
 static Scene *load_requested(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Lesson **lesson, Error *error) {
+                             RenderSettings *render, RenderSettings *own, Lesson **lesson,
+                             Error *error) {
     (void)stop, (void)lesson;
     LoadRequests *requests = context;
     snprintf(requests->path, sizeof requests->path, "%s", request->path ? request->path : "");
@@ -1201,7 +1210,7 @@ static Scene *load_requested(void *context, const ViewRequest *request, const at
         return NULL;
     }
     Scene *scene = make_scene();
-    *render = render_settings_default(scene);
+    *render = *own = render_settings_default(scene);
     return scene;
 }
 
@@ -1307,8 +1316,10 @@ static void test_view_history(void **state) {
     ViewState home;
     ViewHistory history = {.count = 0};
     const Movement right = {.right = 1}, none = {.right = 0};
+    PictureChoice choice = {.active = 0};
+    const ViewTarget target = {&home, scene, &choice};
     assert_true(view_state_init(&home, scene, NULL));
-    assert_false(view_history_undo(&history, &home, scene, 0));
+    assert_false(view_history_undo(&history, &target, 0));
     // Two moves of one key, then the camera at once, then one edit, then the light again.
     const double times[] = {1, 1.2, 1.3, 20};
     for (size_t i = 0; i < 4; i++) {
@@ -1318,28 +1329,28 @@ static void test_view_history(void **state) {
     }
     assert_int_equal(history.count, 3);
     Vec3d light = scene->lights[0].position, camera = scene->camera.position;
-    assert_false(view_history_undo(&history, &home, scene, 0)); // The edit comes first.
-    assert_true(view_history_undo(&history, &home, scene, 1));
-    assert_false(view_history_undo(&history, &home, scene, 1)); // Now the edit is the last.
-    assert_true(view_history_undo(&history, &home, scene, 0));
+    assert_false(view_history_undo(&history, &target, 0)); // The edit comes first.
+    assert_true(view_history_undo(&history, &target, 1));
+    assert_false(view_history_undo(&history, &target, 1)); // Now the edit is the last.
+    assert_true(view_history_undo(&history, &target, 0));
     assert_point(scene->camera.position, 0, 0, 0);
     assert_true(home.is_light_moved[0] && !home.is_camera_moved);
-    assert_true(view_history_undo(&history, &home, scene, 0));
+    assert_true(view_history_undo(&history, &target, 0));
     assert_point(scene->lights[0].position, home.lights[0].position.x, home.lights[0].position.y,
                  home.lights[0].position.z);
-    assert_true(view_history_redo(&history, &home, scene, 0));
-    assert_true(view_history_redo(&history, &home, scene, 0));
+    assert_true(view_history_redo(&history, &target, 0));
+    assert_true(view_history_redo(&history, &target, 0));
     assert_point(scene->camera.position, camera.x, camera.y, camera.z);
-    assert_false(view_history_redo(&history, &home, scene, 0)); // The edit comes first.
-    assert_true(view_history_redo(&history, &home, scene, 1));
+    assert_false(view_history_redo(&history, &target, 0)); // The edit comes first.
+    assert_true(view_history_redo(&history, &target, 1));
     assert_point(scene->lights[0].position, light.x, light.y, light.z);
     // A new move forgets what was undone; the oldest moves go.
-    assert_true(view_history_undo(&history, &home, scene, 1));
+    assert_true(view_history_undo(&history, &target, 1));
     for (int i = 0; i < 2 * VIEW_STEPS_MAXIMUM; i++) {
         view_history_note(&history, &home, scene, &(ViewStep){.edits = 1}, 100 + i);
     }
     assert_int_equal(history.count, VIEW_STEPS_MAXIMUM);
-    assert_false(view_history_redo(&history, &home, scene, 1));
+    assert_false(view_history_redo(&history, &target, 1));
     view_history_clear(&history);
     view_state_deinit(&home);
     scene_destroy(scene);

@@ -177,6 +177,10 @@ static void check_inspector(Fixture *fixture) {
             .keyword = object.keyword, .number = object.origin->number, .has_pixel = true};
         check_frame(fixture, "inspector", 8);
     }
+    window->object_inspector = (ObjectInspector){.lists = true};
+    check_frame(fixture, "all things", 8);
+    window->object_inspector = (ObjectInspector){.lists = true, .is_camera = true};
+    check_frame(fixture, "camera", 8);
     window->object_inspector = (ObjectInspector){0};
     edit_history_deinit(&edits);
 }

@@ -436,12 +436,15 @@ typedef struct SdfShapeParameters {
 
 /** Properties of a shape that follow from its description, without a tracer. */
 typedef struct ShapeFacts {
-    Aabbd bounds;     /**< Bounding box; infinite along the axes where the shape is unbounded. */
-    bool is_flat;     /**< Whether all faces are flat: reflections do not make rays diverge. */
-    const Mesh *mesh; /**< Its triangles; NULL: no mesh, or not read yet. */
-    bool is_smooth;   /**< Whether #mesh is shaded with interpolated normals. */
-    const Sdf *sdf;   /**< Its distance field; NULL: none. */
-    double tolerance; /**< For #sdf: distance that counts as a hit, scene units. */
+    Aabbd bounds;      /**< Bounding box; infinite along the axes where the shape is unbounded. */
+    bool is_flat;      /**< Whether all faces are flat: reflections do not make rays diverge. */
+    const Mesh *mesh;  /**< Its triangles; NULL: no mesh, or not read yet. */
+    bool is_smooth;    /**< Whether #mesh is shaded with interpolated normals. */
+    const Sdf *sdf;    /**< Its distance field; NULL: none. */
+    double tolerance;  /**< For #sdf: distance that counts as a hit, scene units. */
+    double ray_growth; /**< Factor per turn by which the distance of two rays grows that are totally
+                            reflected in the solid, at most; 0: paths in it are regular, as in
+                            balls, boxes and cylinders, and rays part slowly. */
 } ShapeFacts;
 
 /** Largest number of flat faces of a shape that is no mesh. */

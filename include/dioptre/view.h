@@ -14,6 +14,7 @@ typedef struct ViewRequest {
     const char *path;  /**< Its file, or that of a lesson; NULL: the scene that was loaded last. */
     double time;       /**< Its `t`, seconds. */
     bool force_reload; /**< Whether its files may have changed since they were read. */
+    bool is_lesson_over; /**< Whether no lesson plays that the scene was loaded with. */
     const SceneOverride *overrides; /**< Values in place of those of its file; NULL: none. */
     size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
 } ViewRequest;
@@ -24,13 +25,15 @@ typedef struct ViewRequest {
  * @param context      #ViewSettings.loader_context.
  * @param request      The scene. After an error the previous scene stays the last loaded.
  * @param stop         Loading stops once this is true.
- * @param[out] render  Its render settings.
+ * @param[out] render  Its render settings, with those of its lesson.
+ * @param[out] own     The same without those of a lesson.
  * @param[out] lesson  The lesson, owned by the window; NULL: the file is a scene, or an error.
  * @param[out] error   What is wrong.
  * @return The scene, owned by the window; NULL after an error.
  */
 typedef Scene *(*ViewLoader)(void *context, const ViewRequest *request, const atomic_bool *stop,
-                             RenderSettings *render, Lesson **lesson, Error *error);
+                             RenderSettings *render, RenderSettings *own, Lesson **lesson,
+                             Error *error);
 
 /**
  * Loads a scene for the list of scenes, or the scene of a lesson. Called from a thread of the
@@ -57,6 +60,7 @@ typedef Lesson *(*ViewLessonLoader)(const char *path, Error *error);
 /** Settings of a window. */
 typedef struct ViewSettings {
     RenderSettings render;     /**< Engine, threads, size, samples, depth, offset. */
+    const RenderSettings *own; /**< The same without those of #lesson; NULL: #render. */
     bool keys_by_letter;       /**< Whether the light's keys go by their letters instead of their
                                   positions. */
     const char *path;          /**< The scene's file, or `-`; it names title and snapshots. */

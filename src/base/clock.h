@@ -1,11 +1,17 @@
 /**
  * @file
- * @brief The monotonic clock.
+ * @brief The clock.
  */
 #ifndef DIOPTRE_BASE_CLOCK_H
 #define DIOPTRE_BASE_CLOCK_H
 
+#include <time.h>
+
 /** @return Seconds of the monotonic clock, which changes of the system time do not affect. */
 double clock_now_seconds(void);
+
+/** @return The time that pthread_cond_timedwait() waits for, of the system's clock. @param seconds
+ *  From now, at least 0. */
+struct timespec clock_deadline(double seconds);
 
 #endif

@@ -14,8 +14,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/** Nanoseconds from one report to the next: five per second are smooth enough. */
-#define PROGRESS_NANOSECONDS 200000000L
+/** Seconds from one report to the next: five per second are smooth enough. */
+static const double PROGRESS_INTERVAL = 0.2;
 
 struct Progress {
     const Renderer *renderer; /**< Renderer of the picture under way, or NULL. */
@@ -79,11 +79,7 @@ static void *progress_main(void *argument) {
     Progress *progress = argument;
     pthread_mutex_lock(&progress->mutex);
     while (!progress->is_ended) {
-        struct timespec until;
-        clock_gettime(CLOCK_REALTIME, &until);
-        until.tv_nsec += PROGRESS_NANOSECONDS;
-        until.tv_sec += until.tv_nsec / 1000000000L;
-        until.tv_nsec %= 1000000000L;
+        struct timespec until = clock_deadline(PROGRESS_INTERVAL);
         pthread_cond_timedwait(&progress->wake, &progress->mutex, &until);
         if (!progress->is_ended && progress->has_begun) {
             progress_print(progress);

@@ -80,14 +80,26 @@ static Lesson *open_lesson(const char *path, Options *options, Error *error) {
     return lesson;
 }
 
+/** @return The settings of a scene without those of a lesson, but of the size that it has with them.
+ */
+static RenderSettings own_settings(const SceneSource *source, const Options *options,
+                                   const Scene *scene) {
+    Options own = *source->command_line;
+    own.width = options->width;
+    own.height = options->height;
+    return command_render_settings(&own, scene);
+}
+
 /**
  * Loads a scene, or a lesson with its scene. See #ViewLoader.
  * @param stop  Loading ends early once this is true.
  * @param[out] render  Its settings.
+ * @param[out] own  The same without those of its lesson.
  * @return The scene, or NULL.
  */
 static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
-                         RenderSettings *render, Lesson **lesson, Error *error) {
+                         RenderSettings *render, RenderSettings *own, Lesson **lesson,
+                         Error *error) {
     SceneSource *source = context;
     Options options = request->path ? *source->command_line : source->options;
     double time = request->time;
@@ -117,6 +129,7 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
     if (scene) {
         *render = needs_new_cache ? command_print_notes(&options, scene)
                                   : command_render_settings(&options, scene);
+        *own = own_settings(source, &options, scene);
         store_loaded(source, &options, cache);
         return scene;
     }
@@ -173,8 +186,10 @@ static void show_scene(const Options *options, const Options *command_line, cons
                              .opens_list = options->opens_list,
                              .prints_timing = options->timing};
     const ViewRequest first = {.time = options->time};
-    Scene *scene = load_scene(&source, &first, NULL, &settings.render, &none, error);
+    RenderSettings own;
+    Scene *scene = load_scene(&source, &first, NULL, &settings.render, &own, &none, error);
     if (scene) {
+        settings.own = &own;
         error->status = view_run(scene, &settings, interrupt_flag(), error);
         scene_destroy(scene);
     }

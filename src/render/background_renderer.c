@@ -64,6 +64,17 @@ static void background_renderer_on_tile(RenderPass *pass, size_t index) {
     }
 }
 
+/** Waits for #PREVIEW_PAUSE, or until rendering is to stop. */
+static void background_renderer_pause(BackgroundRenderer *background) {
+    struct timespec until = clock_deadline(PREVIEW_PAUSE);
+    int code = 0;
+    pthread_mutex_lock(&background->mutex);
+    while (code == 0 && !atomic_load(&background->stop)) {
+        code = pthread_cond_timedwait(&background->wake, &background->mutex, &until);
+    }
+    pthread_mutex_unlock(&background->mutex);
+}
+
 /** Renders the requested picture, pass by pass, until it is finished or stopped. */
 static void background_renderer_render(Renderer *renderer) {
     BackgroundRenderer *background = &renderer->background;
@@ -87,6 +98,9 @@ static void background_renderer_render(Renderer *renderer) {
         is_more = pass_range_next(&next, passes.samples, passes.has_preview);
         RenderStats stats = render_pass_stats(&pass, !is_more);
         background_renderer_publish(renderer, &stats);
+        if (pass.range.is_preview) {
+            background_renderer_pause(background);
+        }
     }
 }
 
@@ -119,6 +133,7 @@ void renderer_stop(Renderer *renderer) {
     atomic_store(&background->stop, true);
     pthread_mutex_lock(&background->mutex);
     background->is_requested = false;
+    pthread_cond_signal(&background->wake); // It may pause.
     while (background->is_rendering) {
         pthread_cond_wait(&background->idle, &background->mutex);
     }

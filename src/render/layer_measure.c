@@ -11,7 +11,8 @@
 #include "render/rounding_witness.h"
 
 /** Rows of rays that an engine of many lanes traces at once; between strips a pass can stop.
- * Engines of one lane, which are slow, trace one row. */
+ * Engines of one lane, which are slow, trace one row, and so does an engine that is compared with
+ * one. */
 enum { STRIP_ROWS = 8 };
 /** Rays of a strip, at most. */
 enum { STRIP_RAYS = TILE_COLUMNS * STRIP_ROWS };
@@ -214,10 +215,18 @@ void layer_timing_block(const Engine *engine, int *columns, int *rows) {
     *rows = lanes == 1 ? TIMING_GROUP_ROWS : STRIP_ROWS;
 }
 
+/** @return Whether an engine of one lane traces the rays of a pass. */
+static bool is_slow(const RenderPass *pass) {
+    bool has_reference =
+        layer_class(pass->layer)->reference != REFERENCE_NONE && !pass->range.is_preview;
+    return pass->engine->lanes == 1 ||
+           (has_reference && pass->renderer->layer_renderer.reference->lanes == 1);
+}
+
 /** @return The strip of a tile that begins at a ray. @param column Its column in the grid. */
 static PixelGrid strip_at(const RenderPass *pass, const PixelGrid *grid, int column, int row) {
     bool is_timed = layer_class(pass->layer)->is_timed;
-    int columns = grid->columns, rows = pass->engine->lanes > 1 ? STRIP_ROWS : 1;
+    int columns = grid->columns, rows = is_slow(pass) ? 1 : STRIP_ROWS;
     if (is_timed) {
         layer_timing_block(pass->engine, &columns, &rows);
     }

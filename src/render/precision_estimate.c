@@ -37,9 +37,6 @@
 /** Ratio of that difference in HDR panoramas, which contain the sun. */
 #define HDR_CONTRAST 4
 
-/** Fraction of the pixels that may be wrong. */
-#define PIXEL_FRACTION_ALLOWED 1e-4
-
 /** Margin on the fraction of faces at the shadow terminator: they come in rows. */
 #define TERMINATOR_MARGIN 1.25
 
@@ -72,8 +69,10 @@ typedef struct SceneMeasures {
     double slant; /**< direction_slant(); 1 if surfaces turn rays in other directions. */
     double terminator_fraction; /**< Fraction of the picture whose faces float lights wrongly. */
     double texels_per_radian;   /**< Largest number of texels per radian of direction. */
-    GlassShape glass[WALLS_MAXIMUM]; /**< Transparent shapes. */
-    size_t glass_count;              /**< Number of #glass. */
+    GlassShape glass[WALLS_MAXIMUM];   /**< Transparent shapes. */
+    size_t glass_count;                /**< Number of #glass. */
+    GlassShape mirrors[WALLS_MAXIMUM]; /**< Curved mirrors. */
+    size_t mirror_count;               /**< Number of #mirrors. */
 } SceneMeasures;
 
 /** @return The largest channel. */
@@ -205,6 +204,24 @@ static void accumulate_shadow_terminator(SceneMeasures *measures, const SceneSha
         fmin(1, pixels / picture) * shadow_terminator_fraction(&instance);
 }
 
+/** Keeps a bounded shape if it is transparent, or a curved mirror. */
+static void accumulate_glass(SceneMeasures *measures, const SceneShape *shape,
+                             const ShapeFacts *facts, const SceneMaterial *material) {
+    const GlassShape glass = {.bounds = facts->bounds,
+                              .is_flat = facts->is_flat,
+                              .class_index = shape->class_index,
+                              .ior = material->ior,
+                              .transmittance = rgbd_max(material->transparency),
+                              .reflectance = rgbd_max(material->reflectivity),
+                              .ray_growth = facts->ray_growth};
+    bool is_mirror = glass.transmittance <= 0 && glass.reflectance > 0 && !glass.is_flat;
+    if (glass.transmittance > 0 && measures->glass_count < WALLS_MAXIMUM) {
+        measures->glass[measures->glass_count++] = glass;
+    } else if (is_mirror && measures->mirror_count < WALLS_MAXIMUM) {
+        measures->mirrors[measures->mirror_count++] = glass;
+    }
+}
+
 /** Accumulates the material of a shape. */
 static void accumulate_material(SceneMeasures *measures, const SceneShape *shape,
                                 const ShapeFacts *facts) {
@@ -226,12 +243,8 @@ static void accumulate_material(SceneMeasures *measures, const SceneShape *shape
     if (transmittance > 0 && facts->is_smooth && measures->estimate->smooth_glass_line == 0) {
         measures->estimate->smooth_glass_line = shape->origin.line;
     }
-    if (transmittance > 0 && is_bounded && measures->glass_count < WALLS_MAXIMUM) {
-        measures->glass[measures->glass_count++] = (GlassShape){.bounds = facts->bounds,
-                                                                .is_flat = is_flat,
-                                                                .class_index = shape->class_index,
-                                                                .ior = material->ior,
-                                                                .transmittance = transmittance};
+    if (is_bounded) {
+        accumulate_glass(measures, shape, facts, material);
     }
     if (material->texture_id) {
         const Texture *texture = measures->scene->textures[material->texture_id - 1].texture;
@@ -355,7 +368,7 @@ static void accumulate_sky(SceneMeasures *measures) {
  *  shapes are accumulated. */
 static void accumulate_fractions(SceneMeasures *measures) {
     PrecisionEstimate *estimate = measures->estimate;
-    const double error_per_fraction = PRECISION_VISIBLE_ERROR / PIXEL_FRACTION_ALLOWED;
+    const double error_per_fraction = PRECISION_VISIBLE_ERROR / PRECISION_FRACTION_ALLOWED;
     // A mirror shows the meshes once more.
     double images = estimate->max_secondary_weight > 0 ? 2 : 1;
     keep_largest_error(estimate, PRECISION_SHADOW_TERMINATOR,
@@ -379,6 +392,9 @@ static void accumulate_turns(SceneMeasures *measures) {
                       .depth = depth};
     keep_largest_error(estimate, PRECISION_TRAPPED_LIGHT,
                        trapped_light_error(measures->glass, measures->glass_count, &view));
+    keep_largest_error(estimate, PRECISION_TRAPPED_LIGHT,
+                       mirrored_light_error(measures->glass, measures->glass_count,
+                                            measures->mirrors, measures->mirror_count, &view));
 }
 
 /** @return The cause with the largest error. */

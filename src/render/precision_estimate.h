@@ -17,6 +17,9 @@
 /** Half an 8-bit step of the encoded picture: smaller errors are not visible. */
 #define PRECISION_VISIBLE_ERROR 0.5
 
+/** Fraction of the pixels that may be wrong. */
+#define PRECISION_FRACTION_ALLOWED 1e-4
+
 /** What magnifies rounding errors. */
 typedef enum {
     PRECISION_DISTANCE,          /**< Distance of a shape relative to its size. */
@@ -27,7 +30,7 @@ typedef enum {
     PRECISION_FRACTAL,           /**< A fractal, whose normals change within a tolerance. */
     PRECISION_THIN_GLASS,        /**< Walls of glass that are thin against their coordinates. */
     PRECISION_SHADOW_TERMINATOR, /**< Faces of smooth meshes at grazing angles to a light. */
-    PRECISION_TRAPPED_LIGHT,     /**< Total reflections in overlapping glass. */
+    PRECISION_TRAPPED_LIGHT,     /**< Total reflections in glass with irregular paths. */
     PRECISION_Z_FIGHTING,        /**< Surfaces nearer together than float can tell. */
     PRECISION_CAUSE_COUNT        /**< Number of causes. */
 } PrecisionCause;

@@ -61,6 +61,10 @@ size_t pass_range_total_rays(int width, int height, int samples, bool has_previe
     return rays;
 }
 
+bool render_pass_is_stopped(const RenderPass *pass) {
+    return pass->stop && atomic_load_explicit(pass->stop, memory_order_relaxed);
+}
+
 /** @return A position from the middle outwards. @param index 0 to count - 1, which gives each
  *  position once. */
 static size_t from_middle(size_t index, size_t count) {

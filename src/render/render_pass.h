@@ -24,6 +24,10 @@ enum { TILE_COLUMNS = 64, TILE_ROWS = 16 };
  *  milliseconds. */
 enum { COARSEST_STRIDE = 8 };
 
+/** Seconds that all processors are left to the window after a preview: two frames of a 60 Hz
+ *  screen. The slow passes that follow would hold up the preview on its way to the screen. */
+#define PREVIEW_PAUSE (2.0 / 60)
+
 /** A pass over the whole picture. */
 typedef struct PassRange {
     int stride;       /**< Pixels from one ray to the next; 0: before the first pass. */
@@ -83,10 +87,9 @@ bool pass_range_next(PassRange *range, int samples, bool has_preview);
 /** @return Rays from pixels in all passes. See #pass_range_next. */
 size_t pass_range_total_rays(int width, int height, int samples, bool has_preview);
 
-/** @return Whether the pass is to stop. */
-static inline bool render_pass_is_stopped(const RenderPass *pass) {
-    return pass->stop && atomic_load_explicit(pass->stop, memory_order_relaxed);
-}
+/** @return Whether the pass is to stop. To be asked often: where a program has one thread, others
+ * have their turn meanwhile. */
+bool render_pass_is_stopped(const RenderPass *pass);
 
 /**
  * Shades a tile of a pass. Called on several threads at once.

@@ -184,10 +184,12 @@ static int call_wait(lua_State *L) {
     return 0;
 }
 
-/** `press "ACTION"`. See lua_CFunction. @return 0 */
+/** `press "ACTION"`, `press("ACTION", true)`. See lua_CFunction. @return 0 */
 static int call_press(lua_State *L) {
-    check_argument_count(L, 1, 1, "press \"ACTION\"");
-    add_step(L, (LessonStep){.kind = LESSON_PRESS, .action = read_action(L, false)});
+    check_argument_count(L, 1, 2, "press \"ACTION\"");
+    add_step(L, (LessonStep){.kind = LESSON_PRESS,
+                             .action = read_action(L, false),
+                             .continues = lua_toboolean(L, 2)});
     return 0;
 }
 

@@ -252,6 +252,20 @@ void app_choose_ray(App *app, size_t ray) {
     ray_view_choose_ray(&app->window.ray_view, ray);
 }
 
+void app_note_choice(App *app, const PictureChoice *before, bool continues) {
+    const PictureChoice now = window_choice(&app->window);
+    if (!picture_choice_is_same(before, &now, &app->window.base_settings)) {
+        view_history_note_choice(&app->moves, before, edit_history_in_force(&app->edits),
+                                 continues);
+    }
+}
+
+void app_take_own_settings(App *app) {
+    const RenderSettings before = app->window.base_settings;
+    window_take_own_settings(&app->window);
+    view_history_rebase(&app->moves, &before, &app->window.base_settings);
+}
+
 void app_reset_view(App *app) {
     ray_view_reset_camera(&app->window.ray_view);
     note_move(app, VIEW_SUBJECT_ALL);
@@ -265,7 +279,6 @@ void app_restart_view(App *app, double time) {
     app->input.camera_motion = MOTION_FLY;
     app->timeline = (Timeline){.time = time};
     window_reset_overrides(&app->window);
-    window_set_layer(&app->window, LAYER_SHADED);
     app_reset_view(app);
     edit_history_clear(&app->edits);
     view_history_clear(&app->moves);

@@ -186,7 +186,8 @@ typedef struct App {
     Timeline timeline;            /**< The scene's time. */
     ViewState home_view;          /**< Camera and lights as the scene file has them. */
     size_t selected_light;        /**< Index of the light that keys move. */
-    ViewHistory moves;            /**< How the user has moved camera and lights. */
+    ViewHistory moves;            /**< How the user has moved camera and lights, and what of the
+                                       pictures was chosen. */
     EditHistory edits;            /**< What the user has changed of its objects. */
     InputState input;             /**< Keyboard and mouse. */
     Player player;                /**< The lesson that plays. */
@@ -291,6 +292,13 @@ void app_step_pixel(App *app, int right, int down);
 
 /** Chooses one of the rays that are shown. @param ray Its index. */
 void app_choose_ray(App *app, size_t ray);
+
+/** Notes what was chosen of the pictures before a change of it, if anything has changed: it can be
+ *  undone. @param continues Whether it belongs to the change before it. */
+void app_note_choice(App *app, const PictureChoice *before, bool continues);
+
+/** A lesson is over. See #window_take_own_settings. */
+void app_take_own_settings(App *app);
 
 /** Puts camera and lights back where the scene file has them; it can be undone. */
 void app_reset_view(App *app);

@@ -24,6 +24,8 @@
 
 /** Seconds from one move of held keys to the next: a frame of a 60 Hz screen. */
 static const double MOVE_INTERVAL = 0.016;
+/** Width of a letter in the titles of usual window managers, screen units. */
+enum { TITLE_LETTER_WIDTH = 8 };
 /** Minimum seconds between two titles while a picture is drawn, so that they can be read. */
 static const double TITLE_INTERVAL = 0.25;
 
@@ -51,22 +53,28 @@ static void take_pending_snapshot(App *app) {
     }
 }
 
-/** Issues a command, as its key would; the key of a move goes up at once. */
-static void issue_requested(App *app, const Command *command) {
+/** Issues a command, as its key would; the key of a move goes up at once. @param continues Whether
+ *  it belongs to the change before it. */
+static void issue_requested(App *app, const Command *command, bool continues) {
     double now = clock_now_seconds();
-    command_issue(app, command, now);
+    if (continues) {
+        command_continue(app, command, now);
+    } else {
+        command_issue(app, command, now);
+    }
     if (command_is_move(command)) {
         recorder_on_release(app, command, now);
         held_keys_release(&app->input.held_keys, command->move, now);
     }
 }
 
-/** Runs a command by its name, as its key would. @param name NULL: does nothing. */
-static void run_command(App *app, const char *name, int repetitions) {
+/** Runs a command by its name, as its key would. @param name NULL: does nothing. @param continues
+ *  Whether it belongs to the change before it; repetitions belong to the first one. */
+static void run_command(App *app, const char *name, int repetitions, bool continues) {
     const Command *command = name ? command_find(app->commands, name) : NULL;
     for (int i = 0; command && i < repetitions; i++) {
         if (!player_handle_command(app, command)) {
-            issue_requested(app, command);
+            issue_requested(app, command, continues || i > 0);
         }
     }
 }
@@ -88,8 +96,8 @@ static void run_requested_command(App *app) {
     Toolbar *toolbar = &app->window.toolbar;
     RayViewRequest *rays = &app->window.ray_view.request;
     close_covering_list(app, toolbar->command);
-    run_command(app, toolbar->command, toolbar->repetitions);
-    run_command(app, rays->command, 1);
+    run_command(app, toolbar->command, toolbar->repetitions, toolbar->continues);
+    run_command(app, rays->command, 1, false);
     if (rays->has_ray && !app_is_playing(app)) {
         command_choose_ray(app, rays->ray);
     }
@@ -117,6 +125,8 @@ static void update_title(App *app, double now) {
     if (now < app->title.next_update_time && !window_is_finished(window)) {
         return;
     }
+    int window_width = 0;
+    SDL_GetWindowSize(window->sdl.window, &window_width, NULL);
     // Times and rays of other settings would be read as those of the new ones.
     bool has_report = window->first_present_time > 0 && !viewport->is_report_old;
     TitleContent content = {.name = shown_name(app),
@@ -128,7 +138,8 @@ static void update_title(App *app, double now) {
                             .is_recording = app_is_recording(app),
                             .light = app->selected_light,
                             .light_count = app->scene->light_count,
-                            .status_text = app->title.status_text};
+                            .status_text = app->title.status_text,
+                            .room = (size_t)SDL_max(1, window_width / TITLE_LETTER_WIDTH)};
     char title[TITLE_SIZE];
     title_write(&content, title);
     if (strcmp(title, SDL_GetWindowTitle(window->sdl.window)) != 0) {
@@ -171,7 +182,7 @@ static void run_frame(App *app) {
     }
     if (app->wants_list && app->window.gui) {
         app->wants_list = false;
-        run_command(app, "scenes", 1);
+        run_command(app, "scenes", 1, false);
         browser_begin_at_top(&app->window.browser);
     }
     run_requested_command(app);
@@ -220,6 +231,7 @@ static Status run_event_loop(App *app, const atomic_bool *stop, SignalThread *si
                      app->first_event + EVENT_PASS_FINISHED, error)) {
         return error->status;
     }
+    app->window.own_settings = settings->own ? *settings->own : settings->render;
     app_show_notes(app);
     if (settings->answer_path && !answer_file_prepare(settings->answer_path, error)) {
         return error->status;

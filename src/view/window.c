@@ -27,7 +27,7 @@ bool window_open(Window *window, const Scene *scene, const RenderSettings *setti
                  const char *title, uint32_t pass_event, Error *error) {
     window->pass_event = pass_event;
     window->settings_chart.meter.event = pass_event; // Its data1 is no viewport.
-    window->base_settings = *settings;
+    window->base_settings = window->own_settings = *settings;
     split_view_move_bar(&window->split, 0.5);
     return viewport_open(&window->viewports[0], NULL, scene, settings, pass_event, error) &&
            sdl_window_open(&window->sdl, title, settings->width, settings->height, error);
@@ -94,7 +94,7 @@ void window_set_layer(Window *window, Layer layer) {
     }
 }
 
-void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
+void window_tell_settings(Window *window) {
     update_text_now(window);
     // An open toolbar shows those of one picture.
     bool is_told = !window->toolbar.is_folded && window_viewport_count(window) == 1;
@@ -102,6 +102,10 @@ void window_override_setting(Window *window, SettingsChangeFn *change, int step)
         window->shows_settings = true;
         window->settings_end_time = clock_now_seconds() + SETTINGS_SECONDS;
     }
+}
+
+void window_override_setting(Window *window, SettingsChangeFn *change, int step) {
+    window_tell_settings(window);
     viewport_override_setting(window_active_viewport(window), &window->base_settings, change, step);
 }
 
@@ -111,20 +115,50 @@ void window_request_new_renderers(Window *window) {
     }
 }
 
-void window_reset_overrides(Window *window) {
+PictureChoice window_choice(const Window *window) {
+    PictureChoice choice = {.split = window->split.mode,
+                            .active = window->split.active,
+                            .bar_position = window->split.bar_position};
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        choice.overrides[i] = window->viewports[i].overrides;
+        choice.layers[i] = window->viewports[i].layer;
+    }
+    return choice;
+}
+
+/** Changes how pictures share the window. */
+static void set_split(Window *window, SplitMode mode) {
+    window->split.mode = mode;
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
+    }
+}
+
+void window_choose(Window *window, const PictureChoice *choice) {
     update_text_now(window);
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
-        Viewport *viewport = &window->viewports[i];
-        viewport->overrides = (SettingsOverride){0};
-        viewport->needs_new_renderer = true;
-        if (viewport->renderer) {
-            viewport_set_layer(viewport, LAYER_SHADED);
-        } else {
-            viewport->layer = LAYER_SHADED;
-        }
+        viewport_choose(&window->viewports[i], &window->base_settings, &choice->overrides[i],
+                        choice->layers[i]);
     }
-    window->split.mode = SPLIT_NONE;
-    split_view_move_bar(&window->split, 0.5);
+    if (choice->split != window->split.mode) {
+        set_split(window, choice->split);
+    }
+    window->split.active = choice->active;
+    split_view_move_bar(&window->split, choice->bar_position);
+    window_present(window);
+}
+
+void window_reset_overrides(Window *window) {
+    const PictureChoice at_first = {.active = window->split.active, .bar_position = 0.5};
+    window_choose(window, &at_first);
+}
+
+void window_take_own_settings(Window *window) {
+    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
+        settings_override_rebase(&window->viewports[i].overrides, &window->base_settings,
+                                 &window->own_settings);
+    }
+    window->base_settings = window->own_settings;
 }
 
 void window_forget_changes(Window *window) {
@@ -138,11 +172,8 @@ void window_forget_changes(Window *window) {
 
 void window_cycle_split(Window *window, int step) {
     update_text_now(window);
-    window->split.mode = (SplitMode)(((int)window->split.mode + step + SPLIT_COUNT) % SPLIT_COUNT);
+    set_split(window, (SplitMode)(((int)window->split.mode + step + SPLIT_COUNT) % SPLIT_COUNT));
     window->split.active = window->split.mode == SPLIT_BAR ? 1 : window->split.active;
-    for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
-        window->viewports[i].has_new_pass = window->viewports[i].renderer != NULL;
-    }
 }
 
 bool window_awaits_frame(const Window *window) {

@@ -76,6 +76,7 @@ typedef struct Window {
                                                view. */
     SplitView split;                        /**< How they share the window. */
     RenderSettings base_settings;           /**< Settings of both without the user's changes. */
+    RenderSettings own_settings;            /**< The same without those of a lesson. */
     SdlWindow sdl;                          /**< The window on the screen. */
     Hud huds[WINDOW_VIEWPORTS];             /**< The panel on each viewport. */
     GuiRect hud_rects[WINDOW_VIEWPORTS];    /**< Where these lie in this frame. */
@@ -101,6 +102,8 @@ typedef struct Window {
     ObjectInspector object_inspector;  /**< The selected object. */
     Magnifier magnifier;               /**< Some pixels as squares. */
     Readout readout;                   /**< What one of them shows. */
+    double mouse_time;                 /**< When the mouse was used last, seconds; 0: never. */
+    bool is_mouse_left;                /**< Whether keys are used since, not the mouse. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
     Toast toast;                       /**< The newest message. */
     Toast hint;                        /**< What to press, at the start. */
@@ -141,6 +144,18 @@ void window_set_layer(Window *window, Layer layer);
 /** @return The settings that the user has asked for in the active viewport; its renderer may still
  *  have those of before. */
 RenderSettings window_requested_settings(const Window *window);
+
+/** @return What the user has chosen of the pictures. */
+PictureChoice window_choice(const Window *window);
+
+/** Chooses it anew, as undo does: only what differs is drawn again. */
+void window_choose(Window *window, const PictureChoice *choice);
+
+/** Shows the settings for a while, unless the toolbar does: they have changed. */
+void window_tell_settings(Window *window);
+
+/** A lesson is over: its settings are the user's now, and those at first are the scene's own. */
+void window_take_own_settings(Window *window);
 
 /** Changes one setting of the active viewport. */
 void window_override_setting(Window *window, SettingsChangeFn *change, int step);
@@ -255,6 +270,12 @@ void window_set_state(Window *window, const WindowState *state);
 
 /** Takes the hint away: the user has begun. */
 void window_end_hint(Window *window);
+
+/** The mouse is used. */
+void window_on_mouse(Window *window);
+
+/** A key goes down: what is under a mouse that rests for long is not said any more. */
+void window_on_key(Window *window);
 
 /** Takes the message on the picture away. */
 void window_end_toast(Window *window);

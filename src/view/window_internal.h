@@ -66,6 +66,10 @@ bool window_is_right_side(const Window *window, int column);
  *  legends keep clear of what #window_show_huds has shown. */
 void window_show_values(Window *window);
 
+/** @return The part of the window for what lies beside the inspector, screen units: the wider side.
+ */
+SDL_Rect window_area_beside_inspector(const Window *window);
+
 /** @return Whether two parts of the window have any part in common. */
 bool rects_overlap(const GuiRect *a, const GuiRect *b);
 
@@ -105,7 +109,7 @@ void window_set_hint(Window *window);
 
 /** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
  *  the room for them. */
-void window_show_messages(const Window *window, int width, float bottom);
+void window_show_messages(const Window *window, float bottom);
 
 /** @return The height that the messages take at the lower edge, screen units. */
 float window_messages_height(const Window *window);

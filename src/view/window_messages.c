@@ -13,6 +13,8 @@
 static const double TOAST_SECONDS = 4;
 /** Seconds that the hint at the start is shown. */
 static const double HINT_SECONDS = 6;
+/** Least width of the room beside the inspector for messages, in heights of letters. */
+static const float LEAST_ROOM = 10;
 /** Room for the swatch beside the sign of a recording, in heights of letters. */
 static const float RECORDING_MARGIN = 3.5F;
 
@@ -74,25 +76,42 @@ void window_show_recording_sign(const Window *window, int width) {
     }
 }
 
+/** @return Whether help or list lie over the picture. */
+static bool is_covered(const Window *window) {
+    return window->help.is_open || window->browser.is_open;
+}
+
 /** @return The message at the lower edge: the newest one, else the hint; empty: none. */
 static const char *message_text(const Window *window) {
     // The hint is about the picture: it would shine through the list or the help.
-    bool is_covered = window->help.is_open || window->browser.is_open;
-    const char *hint = is_covered ? "" : window->hint.text;
+    const char *hint = is_covered(window) ? "" : window->hint.text;
     const char *text = window->toast.text[0] != '\0' ? window->toast.text : hint;
     return strcmp(text, window->notice.text) == 0 ? "" : text;
 }
 
+/** Finds the room of messages: beside the inspector where that is wide enough, else the window.
+ *  @param[out] middle Its middle. @return Its width. */
+static float find_room(const Window *window, float *middle) {
+    int width = 0;
+    const SDL_Rect beside = window_area_beside_inspector(window);
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    const bool is_beside = !is_covered(window) && gui_inspector_rect().width > 0 &&
+                           (float)beside.w >= LEAST_ROOM * gui_text_size();
+    *middle = is_beside ? (float)beside.x + (float)beside.w / 2 : (float)width / 2;
+    return is_beside ? (float)beside.w : (float)width;
+}
+
 float window_messages_height(const Window *window) {
     const char *text = message_text(window);
-    return text[0] != '\0' ? gui_message_size(text).y + gui_text_size() / 2 : 0;
+    float middle;
+    const float room = find_room(window, &middle);
+    return text[0] != '\0' ? gui_message_size(text, room).y + gui_text_size() / 2 : 0;
 }
 
 /** @return The lower edge of a message: above the legends that it would hide, where there is room.
- *  @param low Where it would be. */
-static float above_legends(const Window *window, const char *text, float width, float low) {
-    const GuiPoint size = gui_message_size(text);
-    const GuiRect message = {(width - size.x) / 2, low - size.y, size.x, size.y};
+ *  @param middle Its middle. @param low Where it would be. */
+static float above_legends(const Window *window, GuiPoint size, float middle, float low) {
+    const GuiRect message = {middle - size.x / 2, low - size.y, size.x, size.y};
     float edge = low;
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         const GuiRect *legend = &window->legend_rects[i];
@@ -103,13 +122,15 @@ static float above_legends(const Window *window, const char *text, float width, 
     return edge - size.y > window->toolbar.height ? edge : low;
 }
 
-void window_show_messages(const Window *window, int width, float bottom) {
+void window_show_messages(const Window *window, float bottom) {
     const char *text = message_text(window);
-    bool is_covered = window->help.is_open || window->browser.is_open;
-    float edge = bottom - gui_text_size() / 2;
+    float middle, edge = bottom - gui_text_size() / 2;
+    const float room = find_room(window, &middle);
     if (text[0] != '\0') {
-        edge = is_covered ? edge : above_legends(window, text, (float)width, edge);
-        gui_message("toast", text, (GuiPoint){(float)width / 2, edge}, GUI_ABOVE);
+        edge = is_covered(window)
+                   ? edge
+                   : above_legends(window, gui_message_size(text, room), middle, edge);
+        gui_message("toast", text, room, (GuiPoint){middle, edge}, GUI_ABOVE);
     }
 }
 

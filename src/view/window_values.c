@@ -34,9 +34,7 @@ bool window_is_right_side(const Window *window, int column) {
            column >= split_view_column(&window->split, window->viewports[0].width);
 }
 
-/** @return The part of the window for a panel beside the inspector, screen units: the wider side.
- */
-static SDL_Rect area_beside_inspector(const Window *window) {
+SDL_Rect window_area_beside_inspector(const Window *window) {
     SDL_Rect area = window_to_units(window, window_area(window));
     GuiRect inspector = gui_inspector_rect();
     int from = (int)inspector.x, to = (int)(inspector.x + inspector.width);
@@ -97,7 +95,7 @@ static GuiRect draw_legend(const Window *window, const Legend *legend, const SDL
 static void show_legends(Window *window) {
     const Readout *readout = &window->readout;
     const float readout_height = readout->is_shown && !readout->is_above ? readout->rect.height : 0;
-    SDL_Rect area = area_beside_inspector(window);
+    SDL_Rect area = window_area_beside_inspector(window);
     bool is_difference = is_difference_shown(window);
     const size_t count = legend_count(window);
     bool is_right = count == 1 && !window->settings_chart.is_open; // The chart lies at the right.
@@ -176,7 +174,7 @@ static void show_magnifier(const Window *window) {
 /** Shows the chart of settings, if it is open. */
 static void show_chart(const Window *window) {
     if (window->settings_chart.is_open) {
-        SDL_Rect area = area_beside_inspector(window);
+        SDL_Rect area = window_area_beside_inspector(window);
         size_t active = window_viewport_count(window) > 1 ? window->split.active : 0;
         const GuiRect free = window_area_beside_readout(
             window, (GuiRect){(float)area.x, (float)area.y, (float)area.w, (float)area.h});

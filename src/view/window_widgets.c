@@ -26,6 +26,7 @@ static void layout_bar(Window *window) {
                               .rays = window->ray_view.is_open ? &window->ray_view : NULL,
                               .shows_chart = window->settings_chart.is_open,
                               .shows_magnifier = window->magnifier.is_on,
+                              .lists_things = window->object_inspector.lists,
                               .is_animated = state->is_animated,
                               .is_running = state->is_running,
                               .is_recording = state->is_recording,
@@ -92,6 +93,7 @@ static void show_help(Window *window, const GuiRect *area) {
     if (window->help.requested) {
         window->toolbar.command = window->help.requested->name;
         window->toolbar.repetitions = 1;
+        window->toolbar.continues = false;
         window->help.requested = NULL;
     }
 }
@@ -133,6 +135,7 @@ static void show_rays(Window *window) {
         bool is_hovered = !gui_has_mouse() && SDL_GetMouseFocus() == window->sdl.window &&
                           window_ray_at(window, x, y, &hovered);
         window->ray_view.hovered = is_hovered ? hovered + 1 : 0;
+        window->ray_view.shows_hint = !window->is_presenting && !window->lesson_panel.lesson;
         ray_view_show_widgets(&window->ray_view, window->state.scene, &area, scale);
         if (window->toolbar.is_folded || window->is_presenting) {
             ray_view_show_own_row(&window->ray_view, &window->help, &area);
@@ -213,7 +216,7 @@ void window_show_widgets(Window *window) {
         bottom = show_over_picture(window, area);
     }
     window_show_recording_sign(window, width);
-    window_show_messages(window, width, bottom);
+    window_show_messages(window, bottom);
     gui_end_frame(window->gui);
 }
 

@@ -3,6 +3,7 @@
 
 const { PATIENCE, check, editText, editorText, errorText, openPage, pause, serve, settled, waitError } = require("./browser.js");
 const fs = require("fs");
+const http = require("http");
 const zlib = require("zlib");
 
 const fragmentOf = (state) => zlib.deflateRawSync(Buffer.from(typeof state === "string" ? state : JSON.stringify(state))).toString("base64url");
@@ -106,8 +107,36 @@ const testHostile = async (browser, url) => {
   await page.context().close();
 };
 
+/** Neither a script that a stranger brings in nor a request to another host gets through, whatever the page may be made to do. */
+const testPolicy = async (browser, url) => {
+  let requests = 0;
+  const other = http.createServer((request, response) => {
+    requests++;
+    response.writeHead(200, { "Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin" });
+    response.end();
+  });
+  await new Promise((resolve) => other.listen(0, resolve));
+  const page = await openPage(browser, url, []);
+  const refused = await page.evaluate(async (elsewhere) => {
+    const refused = [];
+    document.addEventListener("securitypolicyviolation", (event) => refused.push(event.effectiveDirective));
+    await fetch(elsewhere).catch(() => null);
+    await new Promise((resolve) => { Object.assign(new Image(), { onload: resolve, onerror: resolve, src: elsewhere + "picture" }); });
+    const script = document.createElement("script");
+    script.textContent = "window.isInlined = true;";
+    document.body.append(script);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    return [...refused, window.isInlined ? "an inline script has run" : "none has run"].join(" ");
+  }, `http://localhost:${other.address().port}/`);
+  check(requests === 0 && refused === "connect-src img-src script-src-elem none has run", `${url.replace(/:.*\//, ": ")}: refused: ${refused}; ${requests} requests elsewhere`);
+  await page.context().close();
+  other.close();
+};
+
 module.exports = async (browser) => {
   const { server, url } = await serve(true);
+  await testPolicy(browser, `${url}index.html`);
+  await testPolicy(browser, `file://${process.cwd()}/build/web/dioptre.html`);
   await testRoundTrip(browser, `${url}index.html`, "");
   await testRoundTrip(browser, `${url}index.html`, "?one-thread");
   await testFaulty(browser, `${url}index.html`, "");

@@ -100,6 +100,20 @@ static bool find_blame(const NeedsSearch *search, const TrialStage *stage,
     return true;
 }
 
+/** @param[out] is_better  Whether the finest settings leave fewer pixels off than a correction
+ *                         began with. Where they do not, the number type of the reference is what
+ *                         makes the difference. @return false if anything is wrong. */
+static bool compare_finest(const NeedsSearch *search, const TrialStage *stage,
+                           const TrialPicture *reference, const NeedsCorrection *correction,
+                           bool *is_better, Error *error) {
+    NeedsTrial trial;
+    if (!trial_run(stage, &search->needs->reference, reference, &trial, error)) {
+        return false;
+    }
+    *is_better = trial.off < correction->trial.off;
+    return true;
+}
+
 /** Checks the settings against a picture and corrects them. @return false if anything is wrong. */
 static bool check_against(NeedsSearch *search, const TrialStage *stage,
                           const TrialPicture *reference, NeedsTrial *trial, Error *error) {
@@ -114,6 +128,11 @@ static bool check_against(NeedsSearch *search, const TrialStage *stage,
         }
         NeedsCorrection correction = {.before = needs->settings, .trial = *trial};
         if (!find_blame(search, stage, reference, &correction, &is_any, error)) {
+            return false;
+        }
+        // Two settings may be to blame, and neither alone.
+        if (is_any && correction.without.off >= correction.trial.off &&
+            !compare_finest(search, stage, reference, &correction, &is_any, error)) {
             return false;
         }
         if (!is_any) {

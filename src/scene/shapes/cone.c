@@ -47,12 +47,16 @@ static bool cone_finish(void *values, uint64_t given, Error *error) {
                      LENGTH_MINIMUM);
 }
 
+/** See #ShapeFacts.ray_growth: measured on glass cones and frustums. */
+#define CONE_RAY_GROWTH 1.3
+
 /** @return Facts of a cone: the box around its end circles. See #SceneShapeClass.facts. */
 static ShapeFacts cone_facts(const void *parameters, const Scene *scene) {
     (void)scene;
     const ConeParameters *p = parameters;
     Vec3d axis = vec3d_normalize(vec3d_subtract(p->top, p->base));
-    return (ShapeFacts){.bounds = cone_bounds_of(p, axis)};
+    return (ShapeFacts){.bounds = cone_bounds_of(p, axis),
+                        .ray_growth = p->radius == p->top_radius ? 0 : CONE_RAY_GROWTH};
 }
 
 /** Gives the ends that are no tips. See #SceneShapeClass.faces. @return Their number; of a funnel,

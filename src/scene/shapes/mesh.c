@@ -31,14 +31,22 @@ static bool mesh_finish(void *values, uint64_t given, Error *error) {
     return (given & 1) || error_set(error, STATUS_SCENE, "mesh needs a file");
 }
 
+/** See #ShapeFacts.ray_growth: measured on models of glass. */
+#define MESH_RAY_GROWTH 2
+
+/** Smallest number of triangles with such paths. In a few flat faces rays part only at edges. */
+enum { IRREGULAR_TRIANGLES = 100 };
+
 /** @return Facts of a mesh; before its file is read, the box is infinite. See
  *  #SceneShapeClass.facts. */
 static ShapeFacts mesh_facts(const void *parameters, const Scene *scene) {
     const MeshShapeParameters *p = parameters;
     const Mesh *mesh = scene->meshes[p->file].mesh;
-    return (ShapeFacts){.bounds = mesh ? mesh->bounds : aabbd_infinite(),
-                        .mesh = mesh,
-                        .is_smooth = p->normals != NORMALS_FLAT};
+    return (ShapeFacts){
+        .bounds = mesh ? mesh->bounds : aabbd_infinite(),
+        .mesh = mesh,
+        .is_smooth = p->normals != NORMALS_FLAT,
+        .ray_growth = mesh && mesh->triangle_count >= IRREGULAR_TRIANGLES ? MESH_RAY_GROWTH : 0};
 }
 
 /** @return A lower bound of the distance of a point from one triangle of a mesh. */

@@ -26,7 +26,7 @@ typedef struct CollapsedChildren {
 static int collapsed_children_largest(const BvhBuilder *builder,
                                       const CollapsedChildren *children) {
     int largest = -1;
-    scalar area = -1;
+    build_scalar area = -1;
     for (int i = 0; i < children->count; i++) {
         const BuildNode *node = &builder->nodes[children->nodes[i]];
         if (node->right_child && build_aabb_half_area(&node->box) > area) {
@@ -116,8 +116,8 @@ static void prim_refs_fill(BvhBuilder *builder, const Aabbs *boxes, size_t count
         ref->item = (uint32_t)i;
         ref->box = (BuildAabb){{0}, {0}};
         for (int axis = 0; axis < 3; axis++) {
-            ref->box.low[axis] = boxes[i].low[axis];
-            ref->box.high[axis] = boxes[i].high[axis];
+            ref->box.low[axis] = build_scalar_below(boxes[i].low[axis]);
+            ref->box.high[axis] = build_scalar_above(boxes[i].high[axis]);
         }
     }
 }

@@ -15,7 +15,7 @@ enum { SAH_FEW_ITEMS = 32 };
 /** Depth up to which splits follow the cost; below it, halves need at most 32 more levels. */
 enum { SAH_MAX_DEPTH = BVH_MAX_DEPTH - 32 };
 /** Cost of testing a node relative to a block (measured: leaves of several blocks hardly pay). */
-#define SAH_NODE_COST ((scalar)0.25)
+#define SAH_NODE_COST ((build_scalar)0.25)
 
 /* --- the best split -------------------------------------------------------------------------- */
 
@@ -27,28 +27,30 @@ typedef struct SahBin {
 
 /** The mapping of doubled centroids to bins along each axis. */
 typedef struct SahBinning {
-    int bin_count;                 /**< Number of bins per axis, at most #SAH_BINS. */
-    scalar low[BUILD_AABB_SIZE];   /**< Lowest doubled centroid. */
-    scalar scale[BUILD_AABB_SIZE]; /**< Bins per unit; 0 where all centroids are about the same. */
+    int bin_count;                       /**< Number of bins per axis, at most #SAH_BINS. */
+    build_scalar low[BUILD_AABB_SIZE];   /**< Lowest doubled centroid. */
+    build_scalar scale[BUILD_AABB_SIZE]; /**< Bins per unit; 0: all centroids are about the same. */
 } SahBinning;
 
 /** A split. */
 typedef struct SahSplit {
-    int axis;    /**< Its axis; -1: none. */
-    int bin;     /**< First bin of the right side. */
-    scalar cost; /**< Sum of area times blocks of both sides. */
+    int axis;          /**< Its axis; -1: none. */
+    int bin;           /**< First bin of the right side. */
+    build_scalar cost; /**< Sum of area times blocks of both sides. */
 } SahSplit;
 
 /** @return The mapping to bins. @param doubled_centroids Box of the doubled centroids. */
 static SahBinning sah_binning_of(const BuildAabb *doubled_centroids, size_t count) {
     /** Keeps the highest centroid inside the last bin, whatever the rounding. */
-    const scalar inside = (scalar)0.99999;
+    const build_scalar inside = (build_scalar)0.99999;
     SahBinning binning = {.bin_count = count > SAH_FEW_ITEMS ? SAH_BINS : SAH_BINS / 2};
     for (int i = 0; i < BUILD_AABB_SIZE; i++) {
-        scalar width = doubled_centroids->high[i] - doubled_centroids->low[i];
+        build_scalar width = doubled_centroids->high[i] - doubled_centroids->low[i];
         binning.low[i] = doubled_centroids->low[i];
-        scalar scale = (scalar)binning.bin_count * inside / width;
-        binning.scale[i] = width > 0 && width < INFINITE && scale < INFINITE ? scale : 0;
+        build_scalar scale = (build_scalar)binning.bin_count * inside / width;
+        binning.scale[i] =
+            width > 0 && width < (build_scalar)INFINITE && scale < (build_scalar)INFINITE ? scale
+                                                                                          : 0;
     }
     return binning;
 }
@@ -80,15 +82,15 @@ static void sah_bins_fill(const PrimRef *refs, size_t count, const SahBinning *b
  *  left. @param[in,out] best The best split so far. */
 static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins, int count,
                                    int axis, SahSplit *best) {
-    scalar right_cost[SAH_BINS];
+    build_scalar right_cost[SAH_BINS];
     BuildAabb right = build_aabb_empty(), left = build_aabb_empty();
     size_t right_count = 0, left_count = 0;
     for (int i = count - 1; i > 0; i--) {
         build_aabb_extend(&right, &bins[i].box);
         right_count += bins[i].count;
         right_cost[i] = right_count ? build_aabb_half_area(&right) *
-                                          (scalar)block_count_for(builder, right_count)
-                                    : INFINITE;
+                                          (build_scalar)block_count_for(builder, right_count)
+                                    : (build_scalar)INFINITE;
     }
     for (int i = 1; i < count; i++) {
         build_aabb_extend(&left, &bins[i - 1].box);
@@ -96,8 +98,9 @@ static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins
         if (left_count == 0) {
             continue;
         }
-        scalar cost = build_aabb_half_area(&left) * (scalar)block_count_for(builder, left_count) +
-                      right_cost[i];
+        build_scalar cost =
+            build_aabb_half_area(&left) * (build_scalar)block_count_for(builder, left_count) +
+            right_cost[i];
         if (cost < best->cost) {
             *best = (SahSplit){axis, i, cost};
         }
@@ -108,7 +111,7 @@ static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins
 static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
                                const SahBinning *binning) {
     SahBin bins[3][SAH_BINS];
-    SahSplit best = {.axis = -1, .cost = INFINITE};
+    SahSplit best = {.axis = -1, .cost = (build_scalar)INFINITE};
     sah_bins_fill(builder->refs + node->first_ref, node->ref_count, binning, bins);
     for (int axis = 0; axis < 3; axis++) {
         if (binning->scale[axis] > 0) {
@@ -169,9 +172,9 @@ static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *n
         split = sah_best_split(builder, node, &binning);
     }
     if (split.axis >= 0) {
-        scalar area = build_aabb_half_area(&node->box);
+        build_scalar area = build_aabb_half_area(&node->box);
         bool is_leaf = blocks <= BVH_LEAF_MAX_BLOCKS &&
-                       area * (scalar)blocks <= area * SAH_NODE_COST + split.cost;
+                       area * (build_scalar)blocks <= area * SAH_NODE_COST + split.cost;
         return is_leaf ? 0
                        : prim_refs_partition(builder->refs + node->first_ref, node->ref_count,
                                              &binning, &split);

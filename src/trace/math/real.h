@@ -255,7 +255,11 @@ INLINE mask mask_of_bits(unsigned bits) {
 
 /** @return Whether any lane is set. */
 INLINE bool any(mask m) {
+#ifdef LANES_ANY
+    return LANES_ANY(m);
+#else
     return mask_bits(m) != 0;
+#endif
 }
 
 /** @return The number of lanes that are set. */

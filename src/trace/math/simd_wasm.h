@@ -95,8 +95,64 @@ WASM_INLINE real wasm_sqrt(real x) {
     return roots.numbers;
 }
 
+/** @return Whether any lane of the mask is set. */
+WASM_INLINE bool wasm_any(mask m) {
+    RealParts x = {.truths = m};
+    v128_t united = x.parts[0];
+    for (int i = 1; i < WASM_PARTS; i++) {
+        united = wasm_v128_or(united, x.parts[i]);
+    }
+    return WASM_BITMASK(united) != 0;
+}
+
+#if REAL_BITS == 32
+/** The bytes of a lane of 32 bits. */
+#define WASM_LANE(LANE) 0x01010101u * 4 * (LANE) + 0x03020100u
+/** For each set of lanes of a part, the bytes of those lanes first. */
+static const uint32_t WASM_LANES_FIRST[16][4] = {
+    {WASM_LANE(0)},
+    {WASM_LANE(0)},
+    {WASM_LANE(1)},
+    {WASM_LANE(0), WASM_LANE(1)},
+    {WASM_LANE(2)},
+    {WASM_LANE(0), WASM_LANE(2)},
+    {WASM_LANE(1), WASM_LANE(2)},
+    {WASM_LANE(0), WASM_LANE(1), WASM_LANE(2)},
+    {WASM_LANE(3)},
+    {WASM_LANE(0), WASM_LANE(3)},
+    {WASM_LANE(1), WASM_LANE(3)},
+    {WASM_LANE(0), WASM_LANE(1), WASM_LANE(3)},
+    {WASM_LANE(2), WASM_LANE(3)},
+    {WASM_LANE(0), WASM_LANE(2), WASM_LANE(3)},
+    {WASM_LANE(1), WASM_LANE(2), WASM_LANE(3)},
+    {WASM_LANE(0), WASM_LANE(1), WASM_LANE(2), WASM_LANE(3)},
+};
+#else
+/** The bytes of a lane of 64 bits. */
+#define WASM_LANE(LANE) 0x0101010101010101u * 8 * (LANE) + 0x0706050403020100u
+/** For each set of lanes of a part, the bytes of those lanes first. */
+static const uint64_t WASM_LANES_FIRST[4][2] = {
+    {WASM_LANE(0)}, {WASM_LANE(0)}, {WASM_LANE(1)}, {WASM_LANE(0), WASM_LANE(1)}};
+#endif
+
+/** Stores the lanes of x whose bits are set, one after another, part by part, and writes over what
+ *  follows. */
+WASM_INLINE void wasm_compress(void *to, real x, unsigned bits) {
+    RealParts from = {.numbers = x};
+    for (int i = 0; i < WASM_PARTS; i++) {
+        unsigned set = bits >> (i * WASM_PART_LANES) & ((1u << WASM_PART_LANES) - 1);
+        wasm_v128_store(to,
+                        wasm_i8x16_swizzle(from.parts[i], wasm_v128_load(WASM_LANES_FIRST[set])));
+        to = (scalar *)to + __builtin_popcount(set);
+    }
+}
+
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) wasm_bits(m)
+/** Whether any lane of the mask m is set. */
+#define LANES_ANY(m) wasm_any(m)
+/** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
+#define LANES_COMPRESS(to, x, bits) wasm_compress(to, (real)(x), bits)
 /** a where the mask m is set, b elsewhere. */
 #define LANES_SELECT(m, a, b) wasm_select(m, a, b)
 /** The minimum; b if either is NaN. */

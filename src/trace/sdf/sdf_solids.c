@@ -89,17 +89,17 @@ void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction) {
 }
 
 /**
- * @return The depth of points in holes of one size along one axis; positive between the two sides
- * of a hole.
+ * @return The depth of points in holes of one size along one axis: positive between the two sides
+ * of a hole, negative in the solid, down to the middle between two holes.
  * @param x           Coordinates, in half edges of the sponge.
  * @param per_cell    Number of cells along the sponge.
  * @param[out] slope  1 or -1: derivative by the coordinate.
  */
 INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
     real cells = x * per_cell, cell = 2 * real_floor((scalar)0.5f * cells + (scalar)0.5f);
-    real in_cell = cells - cell, folded = 3 * real_abs(in_cell) - 2;
-    *slope = real_sign(folded) * real_sign(in_cell);
-    return (real_abs(folded) - 1) / real_of(3 * per_cell);
+    real in_cell = cells - cell;
+    *slope = -real_sign(in_cell);
+    return (2 - 3 * real_abs(in_cell) - 1) / real_of(3 * per_cell);
 }
 
 /** @return The sample of square holes of one size along all three axes, positive inside. @param p

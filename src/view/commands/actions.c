@@ -241,13 +241,27 @@ void action_select_thing(App *app, int step) {
 
 void action_take_keyboard(App *app, int argument) {
     (void)argument;
-    if (app->window.object_inspector.number == 0) {
+    if (!object_inspector_is_open(&app->window.object_inspector)) {
         edits_select_next(app, 1);
     }
-    if (app->window.object_inspector.number > 0 &&
+    if (object_inspector_is_open(&app->window.object_inspector) &&
         gui_give_keyboard(app->window.gui, GUI_INSPECTOR)) {
         window_present(&app->window);
         app_set_status(app, "arrows: a field; Space, Enter: change it; Esc: the picture's keys");
+    }
+}
+
+void action_list_things(App *app, int argument) {
+    (void)argument;
+    Window *window = &app->window;
+    if (window->object_inspector.lists && !object_inspector_has_thing(&window->object_inspector)) {
+        edits_close(app);
+        return;
+    }
+    edits_list(app);
+    gui_take_keyboard(window->gui);
+    if (gui_give_keyboard(window->gui, GUI_INSPECTOR)) {
+        app_set_status(app, "arrows: a thing; Space, Enter: choose it; Esc: the picture's keys");
     }
 }
 

@@ -67,7 +67,7 @@ void action_swap_side(App *app, int argument);
 /** Moves the bar between two pictures. */
 void action_move_bar(App *app, int direction);
 
-/** Takes the last change of an object back. */
+/** Takes the last change back. See #edits_undo. */
 void action_undo(App *app, int argument);
 
 /** Does the change again that was taken back. */
@@ -136,12 +136,13 @@ void action_toggle_presentation(App *app, int argument);
 /** Changes between the full screen and a window. */
 void action_toggle_full_screen(App *app, int argument);
 
-/** Closes what lies topmost: help, a lesson's end card, rays, chart, inspector, magnifier, settings,
- *  two pictures, a layer, the full screen; at last the program. What a lesson shows stays. */
+/** Closes what lies topmost: help, a lesson's end card, rays, chart, inspector, magnifier,
+ * settings, two pictures, a layer, the full screen; at last the program. What a lesson shows stays.
+ */
 void action_leave(App *app, int argument);
 
-/** Ends the lesson that plays, or else the program, where it can be ended (#way_out_exists); if that
- *  would lose something, only when it is asked a second time. */
+/** Ends the lesson that plays, or else the program, where it can be ended (#way_out_exists); if
+ * that would lose something, only when it is asked a second time. */
 void action_quit(App *app, int argument);
 
 /** Selects the next shape or light, or the one before. See #edits_select_next. */
@@ -150,6 +151,9 @@ void action_select_thing(App *app, int step);
 /** Gives the keyboard to the inspector: Tab and arrows choose a field, Space or Enter changes it,
  *  Esc leaves it. */
 void action_take_keyboard(App *app, int argument);
+
+/** Shows the list of all things and gives it the keyboard; or closes it, if it is shown. */
+void action_list_things(App *app, int argument);
 
 /** Gives the keyboard to the toolbar, or takes it back. @param argument Unused. */
 void action_take_toolbar(App *app, int argument);

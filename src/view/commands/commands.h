@@ -13,12 +13,16 @@
 /** All commands, in the order of the help; see #command_is_row for its end. */
 extern const Command command_table[];
 
-/** Runs a command that is no move: for a lesson that plays. */
-void command_run(App *app, const Command *command);
+/** Runs a command that is no move: for a lesson that plays. @param continues Whether undo takes the
+ *  change before it back, too. */
+void command_run(App *app, const Command *command, bool continues);
 
 /** Runs a command for the viewer, or begins its move; the recorder is notified first. @param time
  *  When its key went down, seconds on #clock_now_seconds. */
 void command_issue(App *app, const Command *command, double time);
+
+/** The same, as a part of the change before it: of a key that is held, or a slider. */
+void command_continue(App *app, const Command *command, double time);
 
 /** Shows the rays of a pixel; the recorder is notified first. @param x Fraction of the picture's
  *  width. @param y Fraction of its height. */

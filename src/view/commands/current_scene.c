@@ -67,6 +67,7 @@ void current_scene_on_file_event(App *app) {
         // What the author writes counts, not what was tried in the window before.
         app->source.stamp = file_stamp(app);
         edit_history_clear(&app->edits);
+        view_history_on_edits_cleared(&app->moves);
     }
     current_scene_reload(app);
 }
@@ -124,6 +125,7 @@ static bool transfer_view_state(App *app, const SceneLoad *load, Error *error) {
  *  @param[in,out] load The scene and its renderers. */
 static void replace_renderers(Window *window, SceneLoad *load) {
     window->base_settings = load->base_settings;
+    window->own_settings = load->own_settings;
     for (size_t i = 0; i < WINDOW_VIEWPORTS; i++) {
         SceneLoadViewport *target = &load->viewports[i];
         if (target->renderer && window->viewports[i].renderer) {
@@ -213,6 +215,7 @@ static bool request_scene(App *app, double now, Error *error) {
     ViewRequest request = {.path = is_other ? app->source.next_path : NULL,
                            .time = is_other ? 0 : app_scene_time(app),
                            .force_reload = app->source.is_file_changed,
+                           .is_lesson_over = !app->player.lesson,
                            .overrides = overrides,
                            .override_count = override_count};
     SceneLoadViewport viewports[SCENE_LOAD_VIEWPORTS] = {0};

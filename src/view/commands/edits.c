@@ -8,6 +8,7 @@
 #include "view/commands/commands.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/recorder.h"
+#include "view/panels/thing_list.h"
 #include "view/state/scene_text.h"
 
 #include <string.h>
@@ -24,8 +25,12 @@ void edits_select(App *app, int keyword, int number, const Uvd *pixel) {
     ObjectInspector *inspector = &app->window.object_inspector;
     SceneObject object;
     bool is_known = number > 0 && scene_object_find(app->scene, keyword, number, &object);
-    *inspector = (ObjectInspector){
-        .keyword = keyword, .number = is_known ? number : 0, .has_pixel = is_known && pixel};
+    *inspector = (ObjectInspector){.keyword = keyword,
+                                   .number = is_known ? number : 0,
+                                   .has_pixel = is_known && pixel,
+                                   .lists = inspector->lists,
+                                   .has_chosen = inspector->has_chosen,
+                                   .chosen = inspector->chosen};
     if (is_known && is_light(&object)) {
         app->selected_light = object.index;
     }
@@ -137,9 +142,31 @@ void edits_select_next(App *app, int step) {
 }
 
 bool edits_close(App *app) {
-    bool is_open = app->window.object_inspector.number > 0;
+    ObjectInspector *inspector = &app->window.object_inspector;
+    const bool is_open = object_inspector_is_open(inspector);
+    inspector->lists = inspector->lists && object_inspector_has_thing(inspector);
     select_object(app, NULL, NULL);
     return is_open;
+}
+
+void edits_list(App *app) {
+    app->window.object_inspector.lists = true;
+    select_object(app, NULL, NULL);
+}
+
+/** Selects what was chosen in the list of all things. */
+static void choose_thing(App *app) {
+    ObjectInspector *inspector = &app->window.object_inspector;
+    if (inspector->is_by_mouse) {
+        gui_take_keyboard(app->window.gui); // The next key is for the picture.
+    }
+    if (inspector->chosen == THING_CAMERA) {
+        select_object(app, NULL, NULL);
+        inspector->is_camera = true;
+    } else if (inspector->chosen < thing_list_count(app->scene)) {
+        const SceneObject object = thing_list_object(app->scene, inspector->chosen);
+        select_object(app, &object, NULL);
+    }
 }
 
 /* --- changing --------------------------------------------------------------------------------- */
@@ -284,20 +311,30 @@ static void record_set(App *app, const SceneOverride *edit, bool continues) {
     }
 }
 
-void edits_undo(App *app) {
-    if (view_history_undo(&app->moves, &app->home_view, app->scene,
-                          edit_history_in_force(&app->edits))) {
+/** Takes the last move or choice back, or does it again. @return Whether there is any. */
+static bool step_view(App *app, ViewHistoryStepFn *do_step) {
+    PictureChoice choice = window_choice(&app->window);
+    const ViewTarget target = {&app->home_view, app->scene, &choice};
+    const ViewStep *step = do_step(&app->moves, &target, edit_history_in_force(&app->edits));
+    if (step && step->is_choice) {
+        window_choose(&app->window, &choice);
+        app_clear_status(app); // It may name a setting that is another one now.
+        window_end_toast(&app->window);
+        window_tell_settings(&app->window);
+    } else if (step) {
         app_on_view_changed(app);
-    } else if (!edit_history_undo(&app->edits)) {
+    }
+    return step != NULL;
+}
+
+void edits_undo(App *app) {
+    if (!step_view(app, view_history_undo) && !edit_history_undo(&app->edits)) {
         app_set_status(app, "there is nothing to undo");
     }
 }
 
 void edits_redo(App *app) {
-    if (view_history_redo(&app->moves, &app->home_view, app->scene,
-                          edit_history_in_force(&app->edits))) {
-        app_on_view_changed(app);
-    } else if (!edit_history_redo(&app->edits)) {
+    if (!step_view(app, view_history_redo) && !edit_history_redo(&app->edits)) {
         app_set_status(app, "there is nothing to do again");
     }
 }
@@ -343,6 +380,12 @@ static void handle_request(App *app, InspectorRequest request) {
         break;
     case INSPECTOR_RAYS: // Of the pixel that was clicked, wherever the mouse is now.
         command_show_rays(app, app->window.ray_view.x, app->window.ray_view.y);
+        break;
+    case INSPECTOR_THINGS:
+        issue(app, "things");
+        break;
+    case INSPECTOR_CHOOSE:
+        choose_thing(app);
         break;
     case INSPECTOR_NO_REQUEST:
         break;

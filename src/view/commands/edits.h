@@ -39,8 +39,12 @@ void edits_drag(App *app, Vec3d offset, bool continues);
 /** Carries out what the inspector requests. */
 void edits_handle_requests(App *app);
 
-/** Selects nothing, which closes the inspector. @return false if nothing was selected. */
+/** Selects nothing, which closes the inspector, or leads back to its list; closes the list, if
+ *  nothing was selected. @return false if neither was there. */
 bool edits_close(App *app);
+
+/** Selects nothing, and shows the list of all things. */
+void edits_list(App *app);
 
 /** Copies the selected object as text of the scene language. */
 void edits_copy(App *app);
@@ -65,7 +69,7 @@ void edits_set(App *app, const SceneOverride *override, bool continues);
  *  belongs to the change before it. */
 void edits_move(App *app, int keyword, int number, Vec3d offset, bool continues);
 
-/** Takes the last change back, of an object or of camera and lights. */
+/** Takes the last change back: of an object, of camera and lights, of settings and layer. */
 void edits_undo(App *app);
 
 /** Does the change again that was taken back last. */

@@ -7,8 +7,12 @@
 #include "view/commands/leaving.h"
 #include "view/commands/recorder.h"
 
-void command_run(App *app, const Command *command) {
+void command_run(App *app, const Command *command, bool continues) {
+    const PictureChoice before = window_choice(&app->window);
     command->run(app, command->argument);
+    if (command->flags & COMMAND_CHOICE) {
+        app_note_choice(app, &before, continues);
+    }
 }
 
 void command_choose_ray(App *app, size_t ray) {
@@ -36,14 +40,15 @@ static bool show_named_rays(App *app) {
     return is_named;
 }
 
-void command_issue(App *app, const Command *command, double time) {
+/** Runs a command for the viewer. See #command_issue, #command_continue. */
+static void issue(App *app, const Command *command, double time, bool continues) {
     if (command_is(command, "rays") && show_named_rays(app)) {
         return;
     }
     leaving_withdraw(app, command);
-    recorder_on_command(app, command, time);
+    recorder_on_command(app, command, time, continues);
     if (!command_is_move(command)) {
-        command_run(app, command);
+        command_run(app, command, continues);
         return;
     }
     // While a lesson is recorded, things move at the ticks of its clock.
@@ -52,4 +57,12 @@ void command_issue(App *app, const Command *command, double time) {
     }
     latency_on_input(&app->window.latency, time);
     app->input.next_move_time = 0;
+}
+
+void command_issue(App *app, const Command *command, double time) {
+    issue(app, command, time, false);
+}
+
+void command_continue(App *app, const Command *command, double time) {
+    issue(app, command, time, true);
 }

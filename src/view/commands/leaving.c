@@ -70,7 +70,7 @@ static bool close_own(App *app) {
         issue(app, "rays");
     } else if (window->settings_chart.is_open) {
         issue(app, "chart");
-    } else if (window->object_inspector.number > 0) {
+    } else if (object_inspector_is_open(&window->object_inspector)) {
         edits_close(app);
     } else if (window->magnifier.is_on) {
         issue(app, "magnifier");

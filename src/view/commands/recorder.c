@@ -74,7 +74,7 @@ static void find_scene_path(const App *app, char path[2 * PATH_MAX]) {
 static void write_head(const App *app, FILE *file) {
     char path[2 * PATH_MAX], scene[4 * PATH_MAX], name[2 * PATH_MAX];
     int width = 0, height = 0;
-    const RenderSettings *render = &app->settings->render;
+    const RenderSettings *render = &app->window.base_settings;
     find_scene_path(app, path);
     quote_lua_string(scene, sizeof scene, path);
     quote_lua_string(name, sizeof name, app->source.name);
@@ -149,7 +149,7 @@ double recorder_timeout(const App *app, double now) {
 
 /* --- events ----------------------------------------------------------------------------------- */
 
-void recorder_on_command(App *app, const Command *command, double time) {
+void recorder_on_command(App *app, const Command *command, double time, bool continues) {
     Recorder *recorder = &app->recorder;
     if (!app_is_recording(app) || (command->flags & COMMAND_UNRECORDED)) {
         return;
@@ -159,7 +159,8 @@ void recorder_on_command(App *app, const Command *command, double time) {
         fputs("snapshot()\n", recorder->stream);
         return;
     }
-    fprintf(recorder->stream, "press \"%s\"\n", command->name);
+    const bool is_told = continues && command->flags & COMMAND_CHOICE;
+    fprintf(recorder->stream, is_told ? "press(\"%s\", true)\n" : "press \"%s\"\n", command->name);
     if (command_is_move(command)) {
         StepClock *step_clock = &recorder->step_clock;
         held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));

@@ -25,8 +25,9 @@ void recorder_update(App *app, double now);
 /** @return Seconds until the next tick; see #window_timeout. */
 double recorder_timeout(const App *app, double now);
 
-/** A command is about to run, or its move begins. @param time When its key went down, seconds. */
-void recorder_on_command(App *app, const Command *command, double time);
+/** A command is about to run, or its move begins. @param time When its key went down, seconds.
+ *  @param continues Whether undo takes the change before it back, too. */
+void recorder_on_command(App *app, const Command *command, double time, bool continues);
 
 /** The key of a move goes up. */
 void recorder_on_release(App *app, const Command *command, double time);

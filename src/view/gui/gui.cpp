@@ -290,6 +290,10 @@ bool gui_mouse_has_moved() {
     return moved.x != 0 || moved.y != 0;
 }
 
+bool gui_is_mouse_released() {
+    return ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+}
+
 void gui_set_cursor(GuiCursor cursor) {
     static const ImGuiMouseCursor cursors[] = {ImGuiMouseCursor_Hand, ImGuiMouseCursor_ResizeAll,
                                                ImGuiMouseCursor_ResizeEW};

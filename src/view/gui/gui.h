@@ -221,6 +221,10 @@ typedef enum {
 /** @return Whether the mouse was moved since the last frame. */
 bool gui_mouse_has_moved(void);
 
+/** @return Whether the left mouse button has gone up in this frame: what was pressed in it was by
+ *  the mouse, not by keys. */
+bool gui_is_mouse_released(void);
+
 /** Draws a key of a keyboard. @param cap What is printed on it. @param color Its colour;
  *  #GUI_COLOR_FAINT: it does nothing. @param is_on Whether it is selected. */
 GuiMouse gui_key(const GuiRect *rect, const char *cap, GuiColor color, bool is_on);
@@ -314,11 +318,11 @@ typedef enum {
     GUI_ABOVE  /**< Its lower edge does. */
 } GuiSide;
 
-/** Writes a message in a box, which is centred at a point. */
-void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side);
+/** Writes a message in a box, which is centred at a point. @param room The largest width. */
+void gui_message(const char *id, const char *text, float room, GuiPoint point, GuiSide side);
 
 /** @return Width and height of what #gui_message shows. */
-GuiPoint gui_message_size(const char *text);
+GuiPoint gui_message_size(const char *text, float room);
 
 /** @return Where #gui_readout lies. @param corner Its lower left corner, or its upper one. @param
  *  side Whether it lies above that corner, or below it. */
@@ -381,6 +385,15 @@ void gui_list_text(const char *label, const char *text);
  */
 bool gui_list_row(int number, const char *text, int indent, const unsigned char rgb[3],
                   bool is_selected, bool is_revealed);
+
+/** Begins rows of one line each, of which only those in sight are written; the present panel
+ * scrolls over all. @param count Their number. @param revealed One that is scrolled to; -1: none.
+ */
+void gui_rows_begin(int count, int revealed);
+
+/** Finds rows to write now. @param[out] first The first one. @param[out] end Behind the last one.
+ *  @return false once there are none left, which ends them. */
+bool gui_rows_next(int *first, int *end);
 
 /** A check box with a colour, beside the one before where there is room. @return Whether it was
  *  clicked. */

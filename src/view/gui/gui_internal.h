@@ -18,6 +18,7 @@
 #include <cstring>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <memory>
 
 /** Frames that are drawn after an event: Dear ImGui reacts to a click one frame later. */
 constexpr int FRAMES_PER_EVENT = 3;
@@ -90,9 +91,11 @@ struct Gui {
     ImRect list_opener;       /**< The widget that has opened the list. */
     MouseRest rest;           /**< When tooltips may come. */
     PickedColor picked;       /**< The colour in the picker. */
-    bool has_whole_lines;     /**< Whether the present panel shows no part of a line. */
-    bool records_texts;       /**< Whether #texts are recorded. */
-    ImVector<GuiText> texts;  /**< The texts of the frame. */
+    std::unique_ptr<ImGuiListClipper> clipper; /**< Finds which rows of a long list are in sight;
+                                                    null: no such list is written. */
+    bool has_whole_lines;    /**< Whether the present panel shows no part of a line. */
+    bool records_texts;      /**< Whether #texts are recorded. */
+    ImVector<GuiText> texts; /**< The texts of the frame. */
 };
 
 /** @return The interface whose frame is drawn. */

@@ -119,6 +119,10 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
         gui_request_frames(gui); // Its size is found in the first one, which does not show it.
     }
     show_tooltip(tooltip); // On the title.
+    if (place->is_new) {
+        ImGui::SetScrollY(0);
+    }
+    gui->takes_focus = gui->takes_focus || (place->is_new && gui->keyboard == GUI_INSPECTOR);
     choose_first_widget(GUI_INSPECTOR);
     gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger.

@@ -4,6 +4,8 @@
  */
 #include "view/gui/gui_internal.h"
 
+#include <new>
+
 namespace {
 
 /** Space beside the text of a label, in heights of letters. */
@@ -100,6 +102,32 @@ bool gui_list_row(int number, const char *text, int indent, const unsigned char 
     }
     ImGui::PopID();
     return is_clicked;
+}
+
+void gui_rows_begin(int count, int revealed) {
+    const float pitch =
+        floorf(ImGui::GetTextLineHeightWithSpacing()); // Lines begin at whole pixels.
+    if (revealed >= 0) {
+        ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() +
+                                 (static_cast<float>(revealed) + 0.5F) * pitch);
+        gui_request_frames(current_gui()); // The list knows its height in the next one.
+    }
+    std::unique_ptr<ImGuiListClipper> &clipper = current_gui()->clipper;
+    clipper.reset(new (std::nothrow) ImGuiListClipper());
+    if (clipper) {
+        clipper->Begin(count, pitch);
+    }
+}
+
+bool gui_rows_next(int *first, int *end) {
+    std::unique_ptr<ImGuiListClipper> &clipper = current_gui()->clipper;
+    if (!clipper || !clipper->Step()) {
+        clipper.reset();
+        return false;
+    }
+    *first = clipper->DisplayStart;
+    *end = clipper->DisplayEnd;
+    return true;
 }
 
 bool gui_list_check(const char *label, const unsigned char rgb[3], const char *tooltip,

@@ -46,10 +46,9 @@ const char *line_end(const char *text, float width) {
     return end;
 }
 
-/** @return The largest width of the text of a message. */
-float message_width() {
-    return ImGui::GetIO().DisplaySize.x - 2 * ImGui::GetFontSize() -
-           2 * ImGui::GetStyle().WindowPadding.x;
+/** @return The largest width of the text of a message in a room. */
+float message_width(float room) {
+    return fmaxf(1, room - 2 * ImGui::GetFontSize() - 2 * ImGui::GetStyle().WindowPadding.x);
 }
 
 /** @return Whether a window is a row of widgets from one side of the display to the other. */
@@ -303,19 +302,20 @@ void gui_paragraph(const char *text, GuiColor color, int lines) {
     ImGui::Dummy(size);
 }
 
-GuiPoint gui_message_size(const char *text) {
-    const ImVec2 pad = ImGui::GetStyle().WindowPadding, size = text_extent(text, message_width());
+GuiPoint gui_message_size(const char *text, float room) {
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    const ImVec2 size = text_extent(text, message_width(room));
     return GuiPoint{size.x + 2 * pad.x + 1, size.y + 2 * pad.y};
 }
 
-void gui_message(const char *id, const char *text, GuiPoint point, GuiSide side) {
-    const GuiPoint size = gui_message_size(text);
+void gui_message(const char *id, const char *text, float room, GuiPoint point, GuiSide side) {
+    const GuiPoint size = gui_message_size(text, room);
     const ImVec2 whole(size.x, size.y);
     ImVec2 corner(point.x - whole.x / 2, point.y - (side == GUI_ABOVE ? whole.y : 0));
     begin_window(id, corner, whole, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
     // The inspector, which is clicked, would lie over it.
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-    put_text(ImGui::GetCursorScreenPos(), message_width(), TEXT, text);
+    put_text(ImGui::GetCursorScreenPos(), message_width(room), TEXT, text);
     ImGui::End();
 }
 

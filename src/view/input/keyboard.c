@@ -127,7 +127,12 @@ void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
         app->window.help.is_open = false; // What the key does is seen, not hidden by the help.
         window_present(&app->window);
     }
-    if (!player_handle_command(app, command) && command) {
+    if (player_handle_command(app, command) || !command) {
+        return;
+    }
+    if (key->repeat) {
+        command_continue(app, command, time);
+    } else {
         command_issue(app, command, time);
     }
 }

@@ -22,7 +22,7 @@ static void press(App *app, const LessonStep *step) {
         held_keys_press(&step_clock->held_keys, command->move, step_clock_seconds(step_clock));
     } else if (!is_skipped) {
         bool shows_settings = app->window.shows_settings;
-        command_run(app, command);
+        command_run(app, command, step->continues);
         // What the settings are might answer a question.
         if (!command_is(command, "settings")) {
             app->window.shows_settings = shows_settings;

@@ -51,7 +51,8 @@ void player_begin(App *app) {
     }
 }
 
-void player_end(App *app) {
+/** Ends the lesson, if any. Its settings stay. */
+static void end_lesson(App *app) {
     Player *player = &app->player;
     view_state_deinit(&player->paused_view);
     if (app_is_playing(app)) {
@@ -66,12 +67,19 @@ void player_end(App *app) {
     }
 }
 
+void player_end(App *app) {
+    if (app->player.lesson) {
+        end_lesson(app);
+        app_take_own_settings(app);
+    }
+}
+
 /** Begins the lesson that was loaded with the scene on screen, if any. */
 static void take_loaded_lesson(App *app) {
     Lesson *lesson = app->source.lesson;
     if (lesson) {
         app->source.lesson = NULL;
-        player_end(app);
+        end_lesson(app); // The settings are those of the new lesson.
         app_restart_view(app, app->scene_time);
         begin_lesson(app, lesson, lesson, app->source.lesson_path);
     }

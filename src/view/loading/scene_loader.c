@@ -47,7 +47,11 @@ static void load_scene(SceneLoader *loader, SceneLoad *load) {
                                  .overrides = loader->overrides,
                                  .override_count = loader->override_count};
     load->scene = settings->load(settings->loader_context, &request, &loader->should_stop,
-                                 &load->base_settings, &load->lesson, &load->error);
+                                 &load->base_settings, &load->own_settings, &load->lesson,
+                                 &load->error);
+    if (load->is_lesson_over && !load->lesson) {
+        load->base_settings = load->own_settings;
+    }
     load->time = load->lesson ? load->lesson->initial_settings.time : load->time;
     for (size_t i = 0; load->scene && i < SCENE_LOAD_VIEWPORTS; i++) {
         if (load->viewports[i].reuse_from) {
@@ -101,7 +105,9 @@ bool scene_loader_request(SceneLoader *loader, const ViewRequest *request,
     }
     pthread_mutex_lock(&loader->mutex);
     SceneLoad *load = &loader->load;
-    *load = (SceneLoad){.time = request->time, .force_reload = request->force_reload};
+    *load = (SceneLoad){.time = request->time,
+                        .force_reload = request->force_reload,
+                        .is_lesson_over = request->is_lesson_over};
     SDL_strlcpy(load->path, request->path ? request->path : "", sizeof load->path);
     memcpy(load->viewports, viewports, sizeof load->viewports);
     loader->override_count = request->override_count;

@@ -28,9 +28,11 @@ typedef struct SceneLoad {
     char path[PATH_MAX];          /**< File of the scene or lesson; empty: the previous scene. */
     double time;                  /**< Its time, seconds. */
     bool force_reload;            /**< Whether its files may have changed. */
+    bool is_lesson_over;          /**< See #ViewRequest.is_lesson_over. */
     Scene *scene;                 /**< The scene; NULL: an error. */
     Lesson *lesson;               /**< The lesson that #path is; NULL: it is a scene. */
     RenderSettings base_settings; /**< Settings without the user's changes. */
+    RenderSettings own_settings;  /**< The same without those of a lesson. */
     SceneLoadViewport
         viewports[SCENE_LOAD_VIEWPORTS]; /**< Its viewports; the first is always open. */
     Error error;                         /**< The error. */

@@ -81,7 +81,9 @@ static void add_settings(Hud *hud, const Viewport *viewport) {
     // A layer has one ray per pixel, whatever the picture has.
     int samples = viewport->layer == LAYER_SHADED ? settings->samples : 1;
     unsigned long count = (unsigned long)samples;
-    hud_add_row(hud, gettext("engine"), "%s", settings->engine->name);
+    char engine[ENGINE_WORDS_SIZE];
+    engine_words_write(settings->engine->name, engine);
+    hud_add_row(hud, gettext("engine"), "%s", engine);
     add_offset(hud, &settings->trace);
     hud_add_row(hud, gettext("depth"), ngettext("%d, %d sample", "%d, %d samples", count),
                 settings->trace.depth, samples);
@@ -156,8 +158,8 @@ static void title_add(char title[TITLE_SIZE], const char *format, ...) {
     va_end(arguments);
 }
 
-/** Appends layer, pass and speed. */
-static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
+/** Appends layer, pass and, unless the title is to be short, samples and speed. */
+static void add_report(char title[TITLE_SIZE], const RenderStats *report, bool is_short) {
     /** A million rays; the shortest time that is divided by, seconds. */
     const double million = 1e6, instant = 1e-9;
     uint64_t rays = ray_counts_sum(&report->rays);
@@ -167,9 +169,11 @@ static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
         title_add(title, ", %s", gettext(layer_name(report->layer.layer)));
     }
     title_add(title, ", pass %d px", report->stride);
-    title_add(title, ngettext(", %d sample", ", %d samples", (unsigned long)samples), samples);
-    title_add(title, ", %.1f ms, %.0f Mrays/s", report->seconds * 1e3,
-              (double)rays / seconds / million);
+    if (!is_short) {
+        title_add(title, ngettext(", %d sample", ", %d samples", (unsigned long)samples), samples);
+        title_add(title, ", %.1f ms, %.0f Mrays/s", report->seconds * 1e3,
+                  (double)rays / seconds / million);
+    }
     if (report->is_finished) {
         title_add(title, ", finished");
     }
@@ -178,13 +182,14 @@ static void add_report(char title[TITLE_SIZE], const RenderStats *report) {
     }
 }
 
-void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
+/** Writes the title. @param is_short See #add_report. */
+static void write_title(const TitleContent *content, bool is_short, char title[TITLE_SIZE]) {
     title[0] = '\0';
     title_add(title, "%s", content->name);
     const size_t name_length = strlen(title);
     title_add(title, " — %d×%d", content->width, content->height);
     if (content->report) {
-        add_report(title, content->report);
+        add_report(title, content->report, is_short);
     }
     if (content->time) {
         title_add(title, " — t %.15g s", *content->time);
@@ -201,5 +206,13 @@ void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
     language_localize_numbers(title + name_length, TITLE_SIZE - name_length);
     if (content->status_text[0] != '\0') {
         title_add(title, " — %s", content->status_text);
+    }
+}
+
+void title_write(const TitleContent *content, char title[TITLE_SIZE]) {
+    write_title(content, false, title);
+    // The window manager would cut it anywhere, also in the message, which a reader looks for.
+    if (content->room > 0 && SDL_utf8strlen(title) > content->room) {
+        write_title(content, true, title);
     }
 }

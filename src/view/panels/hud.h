@@ -52,6 +52,8 @@ typedef struct TitleContent {
     size_t light;              /**< Index of the selected light. */
     size_t light_count;        /**< Number of lights. */
     const char *status_text;   /**< The newest message; empty: none. */
+    size_t room; /**< Letters that a title has room for; a longer one leaves out what the picture
+                      costs. 0: any number. */
 } TitleContent;
 
 /** Writes the title. */

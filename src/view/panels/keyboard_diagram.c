@@ -46,7 +46,7 @@ typedef struct KeyRow {
 static const KeyRow key_rows[] = {
     {8, 0, {SDL_SCANCODE_F1, SDL_SCANCODE_F2, SDL_SCANCODE_F3, SDL_SCANCODE_F4}},
     {26, 0, {SDL_SCANCODE_F5, SDL_SCANCODE_F6, SDL_SCANCODE_F7, SDL_SCANCODE_F8}},
-    {44, 0, {SDL_SCANCODE_F9, SDL_SCANCODE_F10, SDL_SCANCODE_F11, SDL_SCANCODE_F12}},
+    {44, 0, {SDL_SCANCODE_F9}},
     {0,
      5,
      {SDL_SCANCODE_GRAVE, SDL_SCANCODE_1, SDL_SCANCODE_2, SDL_SCANCODE_3, SDL_SCANCODE_4,
@@ -75,7 +75,10 @@ static const KeyRow key_rows[] = {
 
 /** All other keys. */
 static const KeyShape special_keys[] = {
-    {SDL_SCANCODE_ESCAPE, 0, 0, 6, 4, LAYOUT_ANY},
+    {SDL_SCANCODE_ESCAPE, 0, 0, 7, 4, LAYOUT_ANY}, // Wider than on most: for "Échap".
+    {SDL_SCANCODE_F10, 48, 0, 5, 4, LAYOUT_ANY},   // For two digits.
+    {SDL_SCANCODE_F11, 53, 0, 5, 4, LAYOUT_ANY},
+    {SDL_SCANCODE_F12, 58, 0, 5, 4, LAYOUT_ANY},
     {SDL_SCANCODE_BACKSPACE, 52, 5, 8, 4, LAYOUT_ANY},
     {SDL_SCANCODE_TAB, 0, 9, 6, 4, LAYOUT_ANY},
     {SDL_SCANCODE_BACKSLASH, 54, 9, 6, 4, LAYOUT_ANSI},

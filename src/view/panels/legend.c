@@ -7,6 +7,7 @@
 #include "base/typeset_numbers.h"
 #include "render/palette.h"
 #include "view/panels/thing_title.h"
+#include "view/state/settings_words.h"
 
 #include <libintl.h>
 #include <stdarg.h>
@@ -105,14 +106,16 @@ static void write_shapes(Legend *legend, const Scene *scene) {
 /** Adds how much of the reference there is. */
 static void add_reference(Legend *legend, const LegendContent *content) {
     const LayerStats *layer = &content->report->layer;
+    char engine[ENGINE_WORDS_SIZE];
     if (!layer->reference) {
         return;
     }
+    engine_words_write(layer->reference, engine);
     if (content->report->is_finished) {
-        add_note(legend, gettext("reference: %s"), layer->reference);
+        add_note(legend, gettext("reference: %s"), engine);
     } else {
         add_note(legend, gettext("reference %s: %.2g %% of the pixels, %.0f %% of the work"),
-                 layer->reference, 100 * layer->measured_fraction, 100 * content->progress);
+                 engine, 100 * layer->measured_fraction, 100 * content->progress);
     }
 }
 

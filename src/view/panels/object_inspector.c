@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "dioptre/scene_words.h"
 #include "view/panels/picture_projection.h"
+#include "view/panels/thing_list.h"
 #include "view/panels/thing_title.h"
 
 #include <libintl.h>
@@ -243,6 +244,7 @@ static void show_buttons(ObjectInspector *inspector, const ObjectInspectorConten
     } buttons[] = {
         {INSPECTOR_UNDO, N_("undo"), N_("take the last change back — Ctrl+Z")},
         {INSPECTOR_REDO, N_("redo"), N_("do it again — Ctrl+Y")},
+        {INSPECTOR_THINGS, N_("things"), N_("all things of the scene: a list — Shift+F10")},
         {INSPECTOR_COPY, N_("copy as scene text"), N_("its text with these values, to paste")},
         {INSPECTOR_WRITE, N_("write into the file"), N_("its changes, at the line that made it")},
         {INSPECTOR_RAYS, N_("rays of this pixel"), N_("of the pixel that was clicked")},
@@ -286,30 +288,17 @@ static bool find_place(const ObjectInspector *inspector, const ObjectInspectorCo
            picture_point(&scene->camera, picture, middle, place);
 }
 
-void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
-    SceneObject object;
-    char title[THING_TITLE_SIZE];
-    if (inspector->number == 0 ||
-        !scene_object_find(content->scene, inspector->keyword, inspector->number, &object)) {
-        return;
-    }
-    WidgetContext context = {inspector, content, &object, size_of_scene(content->scene)};
-    write_title(content->scene, &object, title);
-    GuiInspectorPlace place = {.top = content->top, .is_new = !inspector->was_shown};
-    char tooltip[LABEL_SIZE];
-    place.has_thing = find_place(inspector, content, &object, &place.thing);
-    inspector->was_shown = true;
-    write_tooltip(&object, tooltip);
-    if (!gui_inspector_begin("object", title, tooltip, &place)) {
-        inspector->request = INSPECTOR_CLOSE;
-    }
+/** Shows buttons and fields of the selected object. */
+static void show_object(ObjectInspector *inspector, const ObjectInspectorContent *content,
+                        const SceneObject *object) {
+    WidgetContext context = {inspector, content, object, size_of_scene(content->scene)};
     if (!content->is_read_only) {
         show_buttons(inspector, content);
     }
-    int own = own_row_count(object.keyword);
+    int own = own_row_count(object->keyword);
     show_fields(&context, 0, own);
-    if (scene_object_is_shape(object.keyword)) {
-        if (gui_inspector_section(gettext("transform"), "", object.transform != NULL)) {
+    if (scene_object_is_shape(object->keyword)) {
+        if (gui_inspector_section(gettext("transform"), "", object->transform != NULL)) {
             show_fields(&context, own, -1);
         }
         show_material(&context);
@@ -317,6 +306,45 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
     if (!gui_is_editing()) {
         inspector->is_continuing = false;
     }
+}
+
+bool object_inspector_has_thing(const ObjectInspector *inspector) {
+    return inspector->number > 0 || inspector->is_camera;
+}
+
+bool object_inspector_is_open(const ObjectInspector *inspector) {
+    return object_inspector_has_thing(inspector) || inspector->lists;
+}
+
+void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content) {
+    SceneObject object;
+    char title[THING_TITLE_SIZE], tooltip[LABEL_SIZE] = "";
+    const bool has_object =
+        inspector->number > 0 &&
+        scene_object_find(content->scene, inspector->keyword, inspector->number, &object);
+    if (!object_inspector_is_open(inspector) || (inspector->number > 0 && !has_object)) {
+        return;
+    }
+    GuiInspectorPlace place = {.top = content->top, .is_new = !inspector->was_shown};
+    if (has_object) {
+        write_title(content->scene, &object, title);
+        write_tooltip(&object, tooltip);
+        place.has_thing = find_place(inspector, content, &object, &place.thing);
+    } else {
+        SDL_strlcpy(title, inspector->is_camera ? gettext("camera") : gettext("all things"),
+                    sizeof title);
+    }
+    if (!gui_inspector_begin("object", title, tooltip, &place)) {
+        inspector->request = INSPECTOR_CLOSE;
+    }
+    if (has_object) {
+        show_object(inspector, content, &object);
+    } else if (inspector->is_camera) {
+        thing_list_show_camera(content->scene);
+    } else {
+        thing_list_show(inspector, content->scene);
+    }
+    inspector->was_shown = true;
     gui_inspector_end();
 }
 

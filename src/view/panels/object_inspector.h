@@ -1,7 +1,7 @@
 /**
  * @file
  * @brief The inspector of an object: widgets for all fields of the selected shape or light, and of
- *        its material.
+ *        its material; or the list of all things, if none is selected.
  *
  * It follows the parameter tables, so a new class has its inspector for free. It changes nothing
  * itself: it requests edits, which #edits_handle_requests carries out.
@@ -20,14 +20,21 @@ typedef enum {
     INSPECTOR_REDO,       /**< To redo. */
     INSPECTOR_COPY,       /**< The object as text, to paste. */
     INSPECTOR_WRITE,      /**< To write its changes into the file. */
-    INSPECTOR_RAYS        /**< The rays of the pixel that was clicked. */
+    INSPECTOR_RAYS,       /**< The rays of the pixel that was clicked. */
+    INSPECTOR_THINGS,     /**< The list of all things. */
+    INSPECTOR_CHOOSE      /**< #ObjectInspector.chosen. */
 } InspectorRequest;
 
 /** The inspector. Starts as `{0}`: nothing is selected. */
 typedef struct ObjectInspector {
     int keyword;              /**< Keyword of the selected object, see #SceneOverride.keyword. */
     int number;               /**< Its number; 0: nothing is selected. */
+    bool is_camera;           /**< Whether the camera is selected, if no object is. */
+    bool lists;               /**< Whether all things are listed while none is selected. */
+    bool has_chosen;          /**< Whether #chosen is known. */
+    size_t chosen;            /**< What was chosen last in that list, see #thing_list_object. */
     bool has_pixel;           /**< Whether it was selected by a click on a pixel. */
+    bool is_by_mouse;         /**< Whether that was by the mouse, not by keys. */
     bool was_shown;           /**< Whether it was shown since it was selected. */
     bool is_continuing;       /**< Whether the next edit belongs to the one before. */
     bool has_edit;            /**< Whether the user requests #edit. */
@@ -50,7 +57,13 @@ typedef struct ObjectInspectorContent {
                                      the picture. */
 } ObjectInspectorContent;
 
-/** Shows the inspector if an object is selected, and sets what the user requests. */
+/** @return Whether anything is selected, the camera too. */
+bool object_inspector_has_thing(const ObjectInspector *inspector);
+
+/** @return Whether the inspector is shown: with a thing, or with the list. */
+bool object_inspector_is_open(const ObjectInspector *inspector);
+
+/** Shows the inspector if it is open, and sets what the user requests. */
 void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorContent *content);
 
 /** Outlines the selected object by the edges of its bounding box. @param picture The picture's

@@ -64,6 +64,7 @@ typedef struct RayView {
     int pages_to_scroll;                    /**< Pages by which the next frame scrolls formulas and
                                                  sum. */
     RayViewRequest request;                 /**< What the user has clicked on. */
+    bool shows_hint;                        /**< Whether the list says what to do next. */
     bool is_in_lesson;                      /**< Whether a lesson has its words beside the view. */
     double buttons_fraction; /**< Height of its own row of buttons, fraction of the view of rays; 0:
                                   it has none, or none was shown yet. */

@@ -181,11 +181,30 @@ static GuiPoint size_of(const SDL_Rect *rect) {
     return (GuiPoint){(float)rect->w, (float)rect->h};
 }
 
+/** @return What the present drawing shows and what to do next, in English. */
+static const char *hint_of(const RayView *ray_view) {
+    static const char *const hints[] = {
+        [RAY_PANE_NONE] = N_("Click a row or a ray: its formulas. Space: the next ray flies. Click "
+                             "the small picture: another pixel. Esc: back to the picture."),
+        [RAY_PANE_PLAN] = N_("The plan shows the rays from above. A drag turns the view beside "
+                             "it; plan once more takes it away."),
+        [RAY_PANE_MARCH] = N_("Each ball is free of surfaces: the ray steps to its edge. Choose "
+                              "another ray; march once more takes it away."),
+        [RAY_PANE_MICROSCOPE] = N_("The hit point magnified: change offset or number type, and "
+                                   "see where the next ray starts.")};
+    return ray_view->pane < sizeof hints / sizeof *hints && hints[ray_view->pane]
+               ? hints[ray_view->pane]
+               : hints[RAY_PANE_NONE];
+}
+
 /** Shows the list of rays. */
 static void show_list(RayView *ray_view, const Scene *scene, const SDL_Rect *rect) {
     gui_list_begin("rays", corner_of(rect), size_of(rect));
     gui_heading(ray_view->heading);
     show_rows(ray_view, scene);
+    if (ray_view->shows_hint) {
+        gui_paragraph(gettext(hint_of(ray_view)), GUI_COLOR_FAINT, 1);
+    }
     gui_panel_end();
 }
 

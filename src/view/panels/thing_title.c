@@ -20,6 +20,12 @@ static bool needs_number(const Scene *scene, const SceneObject *object) {
     return object->origin->number > 0 && (count > 1 || !scene_object_is_shape(object->keyword));
 }
 
+/** @return The number by which an object is told from others of its kind. */
+static int number_of(const SceneObject *object) {
+    // What no call of a scene file has made is counted.
+    return object->origin->number > 0 ? object->origin->number : (int)object->index + 1;
+}
+
 /** Names an object. @param numbered Format of its name, its number and its line; in English.
  *  @param plain The same without number. */
 static void write_title(const Scene *scene, const SceneObject *object, const char *numbered,
@@ -31,9 +37,7 @@ static void write_title(const Scene *scene, const SceneObject *object, const cha
     } else if (line > 0) {
         snprintf(title, THING_TITLE_SIZE, gettext(plain), name, line);
     } else {
-        // No call of a scene file has made it: those of its kind are counted.
-        snprintf(title, THING_TITLE_SIZE, "%s %d", name,
-                 number > 0 ? number : (int)object->index + 1);
+        snprintf(title, THING_TITLE_SIZE, "%s %d", name, number_of(object));
     }
 }
 
@@ -45,6 +49,16 @@ void thing_title(const Scene *scene, const SceneObject *object, char title[THING
 void thing_short_title(const Scene *scene, const SceneObject *object,
                        char title[THING_TITLE_SIZE]) {
     write_title(scene, object, N_("%s %d (line %d)"), N_("%s (line %d)"), title);
+}
+
+void thing_row_title(const SceneObject *object, char title[THING_TITLE_SIZE]) {
+    const char *name = scene_word(scene_object_keyword(object->keyword)->name);
+    if (object->origin->line > 0) {
+        snprintf(title, THING_TITLE_SIZE, gettext("%s %d (line %d)"), name, number_of(object),
+                 object->origin->line);
+    } else {
+        snprintf(title, THING_TITLE_SIZE, "%s %d", name, number_of(object));
+    }
 }
 
 void shape_title(const Scene *scene, int shape, char title[THING_TITLE_SIZE]) {

@@ -17,6 +17,10 @@ void thing_title(const Scene *scene, const SceneObject *object, char title[THING
 /** The same where there is little room, such as `sphere (line 35)`. */
 void thing_short_title(const Scene *scene, const SceneObject *object, char title[THING_TITLE_SIZE]);
 
+/** Names an object always with its number, such as `sphere 3 (line 35)`: for a list, in which no
+ *  other row is looked at. */
+void thing_row_title(const SceneObject *object, char title[THING_TITLE_SIZE]);
+
 /** Names a shape. See #thing_title. @param shape Its index. */
 void shape_title(const Scene *scene, int shape, char title[THING_TITLE_SIZE]);
 

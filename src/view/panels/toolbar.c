@@ -27,6 +27,7 @@ static void request(Toolbar *toolbar, const char *command, int repetitions) {
     if (repetitions > 0) {
         toolbar->command = command;
         toolbar->repetitions = repetitions;
+        toolbar->continues = false;
     }
 }
 
@@ -114,7 +115,10 @@ static void offset_widgets(Toolbar *toolbar, const ToolbarContent *content) {
             tooltip_write_pair(content->help, "epsilon twice", "epsilon half", ", ", text))) {
         int steps = (int)round(log2(epsilon / shown));
         request(toolbar, steps < 0 ? "epsilon half" : "epsilon twice", abs(steps));
+        toolbar->continues = toolbar->is_continuing;
+        toolbar->is_continuing = toolbar->is_continuing || steps != 0;
     }
+    toolbar->is_continuing = toolbar->is_continuing && gui_is_editing();
 }
 
 /** The settings of a ray: offset, number type, depth. */
@@ -220,6 +224,7 @@ static void picture_widgets(Toolbar *toolbar, const ToolbarContent *content) {
     command_button(toolbar, content, gettext("costs"), "settings", content->shows_settings);
     command_button(toolbar, content, gettext("chart"), "chart", content->shows_chart);
     command_button(toolbar, content, gettext("magnifier"), "magnifier", content->shows_magnifier);
+    command_button(toolbar, content, "▤", "things", content->lists_things);
     possible_button(toolbar, content, "↩", "undo", content->can_undo);
     possible_button(toolbar, content, "↪", "redo", content->can_redo);
 }

@@ -21,6 +21,8 @@ typedef struct Toolbar {
     float usual_height;  /**< The same, without rays; with them: before they were shown. */
     const char *command; /**< Name of the command that the user requests; NULL: none. */
     int repetitions;     /**< How many times it is to be issued. */
+    bool continues;      /**< Whether it belongs to the change before: a slider is still held. */
+    bool is_continuing;  /**< Whether the slider that is held has changed anything yet. */
 } Toolbar;
 
 /** What the bar shows. */
@@ -33,6 +35,7 @@ typedef struct ToolbarContent {
     RayView *rays;                  /**< The rays that are shown; NULL: none. */
     bool shows_chart;               /**< Whether the chart of settings is shown. */
     bool shows_magnifier;           /**< Whether pixels are magnified. */
+    bool lists_things;              /**< Whether the things of the scene are listed. */
     bool is_animated;               /**< Whether the scene depends on time. */
     bool is_running;                /**< Whether its time runs. */
     bool is_recording;              /**< Whether a lesson is recorded. */

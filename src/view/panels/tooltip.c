@@ -49,6 +49,7 @@ static const Sentence sentences[] = {
     {"settings", N_("the settings, and what the picture costs: time, rays, memory")},
     {"chart", N_("a chart of the settings tried: time against error")},
     {"magnifier", N_("the pixels under the mouse as large squares")},
+    {"things", N_("all things of the scene, to choose one: lamps, shapes, the camera")},
     {"undo", N_("take the last change back")},
     {"redo", N_("do again what was taken back")},
     {"snapshot", N_("save the picture as a file")},

@@ -24,6 +24,7 @@ typedef enum {
     COMMAND_WHILE_PLAYING = 8, /**< The viewer may run it while a lesson plays. */
     COMMAND_WHILE_PAUSED = 16, /**< The viewer may run it while a lesson is paused. */
     COMMAND_CTRL = 32,         /**< Its key counts with Ctrl only. */
+    COMMAND_CHOICE = 64,       /**< Changes settings, layer or pictures: it can be undone. */
 } CommandFlags;
 
 /** One key of a command. */

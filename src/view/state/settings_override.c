@@ -34,6 +34,36 @@ void settings_override_apply(const SettingsOverride *overrides, RenderSettings *
         mask & SETTING_PIXEL ? values->trace.pixel_point : settings->trace.pixel_point;
 }
 
+unsigned settings_difference(const RenderSettings *a, const RenderSettings *b) {
+    const struct {
+        bool is_other;        /**< Whether it differs. */
+        SettingsMask setting; /**< The setting. */
+    } settings[] = {{a->engine != b->engine, SETTING_ENGINE},
+                    {a->trace.offset != b->trace.offset, SETTING_OFFSET},
+                    {a->trace.epsilon != b->trace.epsilon, SETTING_EPSILON},
+                    {a->trace.depth != b->trace.depth, SETTING_DEPTH},
+                    {a->samples != b->samples, SETTING_SAMPLES},
+                    {a->lighting != b->lighting, SETTING_LIGHT},
+                    {a->trace.pixel_point != b->trace.pixel_point, SETTING_PIXEL},
+                    {a->method_set != b->method_set, SETTING_METHODS}};
+    unsigned mask = 0;
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        mask |= settings[i].is_other ? (unsigned)settings[i].setting : 0;
+    }
+    return mask;
+}
+
+void settings_override_rebase(SettingsOverride *overrides, const RenderSettings *from,
+                              const RenderSettings *to) {
+    RenderSettings wanted = *from, given = *to;
+    settings_override_apply(overrides, &wanted);
+    // Methods bring an offset of their own: what else was changed is found with them.
+    SettingsOverride changed = {.mask = overrides->mask & SETTING_METHODS, .values = wanted};
+    settings_override_apply(&changed, &given);
+    changed.mask |= settings_difference(&wanted, &given);
+    *overrides = changed;
+}
+
 /** @return A number below a count, some steps after another, cyclically. */
 static int wrap(int current, int step, int count) {
     return (current + step + count) % count;

@@ -36,6 +36,14 @@ typedef struct SettingsOverride {
 /** Overwrites the settings that the user has changed. */
 void settings_override_apply(const SettingsOverride *overrides, RenderSettings *settings);
 
+/** @return Which settings differ, see #SettingsMask. */
+unsigned settings_difference(const RenderSettings *a, const RenderSettings *b);
+
+/** The settings without the user's changes are others now: changes what the user has changed, so
+ *  that the settings in force stay. @param from What they were. @param to What they are. */
+void settings_override_rebase(SettingsOverride *overrides, const RenderSettings *from,
+                              const RenderSettings *to);
+
 /**
  * Changes one setting.
  * @param[in,out] overrides  What is changed so far.

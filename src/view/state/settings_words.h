@@ -16,4 +16,11 @@ const char *offset_strategy_word(OffsetStrategy offset);
 /** @return The name of a number type in the user's language. */
 const char *number_type_word(NumberType type);
 
+/** Bytes of the words of an engine with the final zero. */
+enum { ENGINE_WORDS_SIZE = 64 };
+
+/** Names an engine by its number type, then by its own name, such as `double (f64x4)`. @param name
+ *  The engine's name. */
+void engine_words_write(const char *name, char words[ENGINE_WORDS_SIZE]);
+
 #endif

@@ -6,15 +6,8 @@
 #define DIOPTRE_VIEW_WINDOW_SPLIT_VIEW_H
 
 #include "render/difference_map.h"
+#include "view/state/picture_choice.h"
 #include "view/window/viewport.h"
-
-/** How pictures share the window. */
-typedef enum {
-    SPLIT_NONE,       /**< One picture. */
-    SPLIT_BAR,        /**< Two pictures, left and right of a bar. */
-    SPLIT_DIFFERENCE, /**< Their difference. */
-    SPLIT_COUNT       /**< Number of modes. */
-} SplitMode;
 
 /** The state of two pictures in a window. Starts as `{.bar_position = 0.5}`. */
 typedef struct SplitView {

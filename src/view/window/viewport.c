@@ -65,6 +65,21 @@ void viewport_set_layer(Viewport *viewport, Layer layer) {
     viewport->awaits_first_frame = false;
 }
 
+void viewport_choose(Viewport *viewport, const RenderSettings *base,
+                     const SettingsOverride *overrides, Layer layer) {
+    RenderSettings before = *base, after = *base;
+    settings_override_apply(&viewport->overrides, &before);
+    settings_override_apply(overrides, &after);
+    viewport->overrides = *overrides;
+    if (settings_difference(&before, &after) != 0) {
+        viewport->needs_new_renderer = viewport->needs_restart = true;
+    }
+    if (viewport->renderer && viewport->layer != layer) {
+        viewport_set_layer(viewport, layer);
+    }
+    viewport->layer = layer;
+}
+
 void viewport_set_renderer(Viewport *viewport, Renderer *renderer, const RenderSettings *settings) {
     renderer_destroy(viewport->renderer);
     viewport->renderer = renderer;

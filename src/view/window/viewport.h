@@ -59,6 +59,11 @@ void viewport_close(Viewport *viewport);
 void viewport_override_setting(Viewport *viewport, const RenderSettings *base,
                                SettingsChangeFn *change, int step);
 
+/** Gives the viewport, which may be closed, what was changed of the settings and a layer; only what
+ *  differs is drawn again. #viewport_update_renderer must follow. */
+void viewport_choose(Viewport *viewport, const RenderSettings *base,
+                     const SettingsOverride *overrides, Layer layer);
+
 /** Changes the layer. */
 void viewport_set_layer(Viewport *viewport, Layer layer);
 

@@ -44,6 +44,16 @@ void thread_pool_run(ThreadPool *pool, size_t count, ThreadPoolTask task, void *
     }
 }
 
+/** The question itself, see #__wrap_render_pass_is_stopped. */
+bool __real_render_pass_is_stopped(const RenderPass *pass);
+
+/** Lets others run, too, between two parts of a tile: in quad a tile takes seconds. See
+ *  #render_pass_is_stopped. */
+bool __wrap_render_pass_is_stopped(const RenderPass *pass) {
+    fibers_yield();
+    return __real_render_pass_is_stopped(pass);
+}
+
 /** Shades all tiles of a pass. See #render_pass_run_tiles. */
 bool __wrap_render_pass_run_tiles(RenderPass *pass, ShadeTile shade) {
     pass->renderer->thread_pool->has_tiles = true;

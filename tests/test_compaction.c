@@ -1,0 +1,69 @@
+/**
+ * @file
+ * @brief The compaction of wavefronts alone: sparse vectors of rays become full packets, and no ray
+ *        is lost, doubled or mixed with another, in any number type and width.
+ */
+#include "compaction/compaction.h"
+
+#include "dioptre/engine.h"
+#include "testing.h"
+
+/** The checks of an engine. The makefile defines ENGINE_LIST(X) as X(name) for each. */
+#define DECLARE(name) extern const CompactionChecks compaction_##name;
+ENGINE_LIST(DECLARE)
+
+/** An engine and its checks. */
+typedef struct EngineChecks {
+    const char *engine;             /**< Its name. */
+    const CompactionChecks *checks; /**< Its checks. */
+} EngineChecks;
+
+/** The checks of an engine, and a comma. */
+#define ROW(name) {#name, &compaction_##name},
+static const EngineChecks all_checks[] = {ENGINE_LIST(ROW)};
+
+/** Runs a check at all types and widths that the processor has. */
+static void run_check(CompactionCheck check) {
+    for (size_t i = 0; i < COUNT(all_checks); i++) {
+        const char *name = all_checks[i].engine;
+        Error error = {0};
+        for (uint64_t seed = 1; engine_find(name, &error) && seed <= 4; seed++) {
+            CompactionFault fault = all_checks[i].checks->run[check](seed);
+            if (fault.what) {
+                fail_msg("%s: %s, place %u, lanes %x", name, fault.what, fault.place, fault.bits);
+            }
+        }
+    }
+}
+
+/** @param state Not used. */
+static void test_patterns(void **state) {
+    (void)state;
+    run_check(COMPACTION_PATTERNS);
+}
+
+/** @param state Not used. */
+static void test_streams(void **state) {
+    (void)state;
+    run_check(COMPACTION_STREAMS);
+}
+
+/** @param state Not used. */
+static void test_packets(void **state) {
+    (void)state;
+    run_check(COMPACTION_PACKETS);
+}
+
+/** @param state Not used. */
+static void test_joins(void **state) {
+    (void)state;
+    run_check(COMPACTION_JOINS);
+}
+
+/** Runs the tests. @return Number of failed tests. */
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_patterns), cmocka_unit_test(test_streams),
+        cmocka_unit_test(test_packets), cmocka_unit_test(test_joins)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

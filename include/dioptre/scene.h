@@ -863,9 +863,6 @@ bool scene_has_transparency(const Scene *scene);
 /** @return Whether any shape is reflective or transparent. @param scene The scene. */
 bool scene_has_secondary_rays(const Scene *scene);
 
-/** @return Whether any shape has specular highlights. @param scene The scene. */
-bool scene_has_specular(const Scene *scene);
-
 /**
  * Bytes reserved for the block of a scene; the system provides memory only where it is filled. It
  * holds a million spheres, and limits scene files that never stop.

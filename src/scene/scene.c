@@ -422,12 +422,3 @@ bool scene_has_transparency(const Scene *scene) {
 bool scene_has_secondary_rays(const Scene *scene) {
     return scene_has_material(scene, scene_material_is_secondary);
 }
-
-bool scene_has_specular(const Scene *scene) {
-    for (size_t i = 0; i < scene->shape_count; i++) {
-        if (scene->materials[scene->shapes[i].material_index].specular > 0) {
-            return true;
-        }
-    }
-    return false;
-}

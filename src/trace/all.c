@@ -11,6 +11,7 @@
 #include "trace/tracer/loss_budget.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/path_nodes.c"
+#include "trace/tracer/plain_packet.c"
 #include "trace/tracer/report_methods.c"
 #include "trace/tracer/retrace.c"
 #include "trace/tracer/secondary_rays.c"

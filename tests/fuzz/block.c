@@ -178,7 +178,7 @@ static void read_scene(const Scene *scene) {
     for (size_t i = 0; i < scene->light_count; i++) {
         FUZZ_REQUIRE(is_light_class(scene->lights[i].class_index));
     }
-    sum += scene_has_reflection(scene) + scene_has_textures(scene) + scene_has_specular(scene);
+    sum += scene_has_reflection(scene) + scene_has_textures(scene);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -117,6 +117,7 @@ typedef struct BvhInput {
 static void shapes_partition(ShapeSet *set, BvhInput *input) {
     for (size_t i = 0; i < set->count; i++) {
         Aabbs box = set->shapes[i]->class->bounds(set->shapes[i]);
+        set->may_exceed_box |= shape_exceeds_box(set->shapes[i]);
         if (input && shape_goes_in_bvh(set->shapes[i], set->bvh_over_instances)) {
             input->boxes[input->count] = box;
             input->indices[input->count++] = (uint32_t)i;

@@ -16,6 +16,7 @@ typedef struct ShapeSet {
     Aabb *linear_bounds;     /**< Their bounding boxes, LANES per element; owned. */
     size_t linear_count;     /**< Number of #linear. */
     size_t bvh_threshold;    /**< Number of bounded shapes from which on there is a BVH. */
+    bool may_exceed_box;     /**< Whether there is a shape for which shape_exceeds_box(). */
     bool bvh_over_instances; /**< Whether the BVH contains shapes with a BVH of their own. */
     Bvh bvh;                 /**< BVH over indices in #shapes; without nodes if there is none. */
 } ShapeSet;
@@ -60,6 +61,15 @@ Aabbd shape_set_bounds(const ShapeSet *set);
  *  searched, and for engines of one lane, whose rays have no intervals. */
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals);
 
+/** The shapes that the rays of a beam may meet. */
+typedef struct BeamCandidates {
+    const Shape *nearest; /**< The one whose box is nearest; NULL: there is none. */
+    scalar next_distance; /**< Lower bound on the distances of all others. */
+} BeamCandidates;
+
+/** Finds the shapes that the rays of a beam may meet, of a set without BVH. */
+void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found);
+
 /**
  * Finds the closest hits of a packet.
  * @param packet     The rays, at least one active.
@@ -70,9 +80,11 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
 /**
  * Finds the rays of a packet that meet any shape before their limit.
  * @param packet         The rays, at least one active.
+ * @param intervals      Those of the packet; NULL: not known.
  * @param[out] occluded  The occluded rays, per vector.
  */
-void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded);
+void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *intervals,
+                        mask *occluded);
 
 /** Called for each shape that rays may meet. @param v Index of the vector of rays. */
 typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,

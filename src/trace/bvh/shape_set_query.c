@@ -51,10 +51,15 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
         shape->class->extension->closest_hits(shape, packet, hits);
         return;
     }
+    const ShapeClass *class = shape->class;
+    if (packet->has_beam && class->covers && class->covers(shape, &packet->beam)) {
+        class->covered_hits(shape, packet, hits);
+        return;
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask pending = packet->active[v] & (hits[v].distance >= real_of(near));
         if (LANES == 1 || any(pending)) {
-            shape->class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
+            class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
         }
     }
 }
@@ -223,20 +228,41 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask 
 
 /* --- all shapes ------------------------------------------------------------------------------ */
 
-/** @return The intervals of a packet, where they are used: not without shapes. */
+/** @return The intervals of a packet, where they are used: not without shapes. A beam has them for
+ *          less; but those are wider by roundings, which would show at a shape that exceeds its
+ *          box. */
 static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) {
-    return set->count > 0 ? packet_intervals(packet) : (PacketIntervals){0};
+    return set->count == 0                            ? (PacketIntervals){0}
+           : packet->has_beam && !set->may_exceed_box ? beam_intervals(&packet->beam)
+                                                      : packet_intervals(packet);
 }
 
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
-    bool may_meet = LANES == 1 || set->bvh.nodes;
-    for (size_t i = 0; !may_meet && i < set->linear_count; i++) {
-        may_meet = shape_exceeds_box(set->linear[i]);
-    }
+    bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t block = 0; !may_meet && block < aabb_pack_count(set->linear_count); block++) {
         may_meet = linear_candidates(set, intervals, block).remaining != 0;
     }
     return may_meet;
+}
+
+void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found) {
+    const PacketIntervals intervals = beam_intervals(beam);
+    scalar nearest = INFINITE;
+    *found = (BeamCandidates){NULL, INFINITE};
+    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
+        Candidates candidates = linear_candidates(set, &intervals, block);
+        for (; candidates.remaining; candidates.remaining &= candidates.remaining - 1) {
+            int lane = __builtin_ctz(candidates.remaining);
+            scalar distance = real_lane(candidates.near, lane);
+            if (!found->nearest || distance < nearest) {
+                found->next_distance = found->nearest ? nearest : INFINITE;
+                found->nearest = set->linear[block * LANES + (size_t)lane];
+                nearest = distance;
+            } else if (distance < found->next_distance) {
+                found->next_distance = distance;
+            }
+        }
+    }
 }
 
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
@@ -259,12 +285,13 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
     set_bvh_closest_hits(set, packet, &intervals, hits);
 }
 
-void shape_set_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *known,
+                        mask *occluded) {
     if (LANES == 1) {
         single_ray_occluded(set, packet, occluded);
         return;
     }
-    const PacketIntervals intervals = set_intervals(set, packet);
+    const PacketIntervals intervals = known ? *known : set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);
     }

@@ -35,7 +35,6 @@ static void contact_replace(const Hit *opaque, mask lanes, int v, SurfaceHit *su
     hit->primitive = integer_select(lanes, found.primitive, hit->primitive);
     mask is_inside = vec3_dot(surface->packet->rays[v].direction, hit->normal) > 0;
     surface->n_front[v] = vec3_select(is_inside, vec3_scale(hit->normal, real_of(-1)), hit->normal);
-    surface->material_ids[v] = material_ids_of(surface->dielectrics->all, hit, surface->is_hit[v]);
 }
 
 void contacts_resolve(const RayOffset *offset, SurfaceHit *surface) {
@@ -46,6 +45,7 @@ void contacts_resolve(const RayOffset *offset, SurfaceHit *surface) {
         return;
     }
     segments.wants_points = true;
+    segments.has_beam = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Hit *hit = &surface->hits[v];
         integer shape = integer_select(surface->is_hit[v], hit->shape, integer_of(-1));

@@ -18,6 +18,7 @@ static unsigned dielectric_hit_enter(const RayOffset *offset, const SurfaceHit *
                                      DielectricEntry *entry, DielectricHit *dielectric) {
     unsigned count = 0;
     entry->segments.wants_points = true;
+    entry->segments.has_beam = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);

@@ -74,7 +74,7 @@ static void cylinder_light_sample_center(const Light *light, size_t light_index,
     (void)light_index;
     const CylinderLight *cylinder = light_own(light);
     const scalar half = (scalar)0.5f;
-    light_sample_center(cylinder->center, offset, surface, sample);
+    light_sample_center(&cylinder->center, offset, surface, sample);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
         CylinderView view = cylinder_view_of(cylinder, hit->point);

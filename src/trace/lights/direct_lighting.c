@@ -67,7 +67,7 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
         if (!any(unoccluded)) {
             continue;
         }
-        real attenuation = light_attenuation(light, sample, v);
+        real attenuation = light_attenuation(light, sample->weight[v], sample->distance_squared[v]);
         real bright = real_select(unoccluded, attenuation * sample->cosine[v], real_of(0));
         lighting->diffuse[v] =
             rgb_add(lighting->diffuse[v],
@@ -78,11 +78,14 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
     }
 }
 
-/** Sets all light to 0. */
-INLINE void direct_lighting_clear(DirectLighting *lighting) {
+/** Sets all light to 0. @param has_specular Whether highlights are added later. */
+INLINE void direct_lighting_clear(DirectLighting *lighting, bool has_specular) {
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        Rgb black = {real_of(0), real_of(0), real_of(0)};
-        lighting->diffuse[v] = lighting->specular[v] = black;
+        lighting->diffuse[v] = black;
+    }
+    for (int v = 0; has_specular && v < PACKET_VECTORS; v++) {
+        lighting->specular[v] = black;
     }
 }
 
@@ -107,7 +110,7 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
     if (recorders->ray_tree) {
         DirectLighting light_only;
-        direct_lighting_clear(&light_only);
+        direct_lighting_clear(&light_only, true);
         light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
                          &light_only);
         ray_tree_record_shadow(shapes, surface, light_index, &lights[light_index], sample,
@@ -115,31 +118,68 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
 }
 
+/** @return Whether surely no shape is in the way of rays to a point of a light. @param[out]
+ *  intervals Those of the rays; not in engines of one lane. */
+INLINE bool light_sample_is_clear(const ShapeSet *shapes, const LightSample *sample,
+                                  PacketIntervals *intervals) {
+    if (LANES == 1) {
+        return false;
+    }
+    *intervals = packet_intervals_to_point(&sample->shadow_rays, sample->target);
+    return !shape_set_may_meet(shapes, intervals);
+}
+
+/**
+ * Finds the points that a light does not reach.
+ * @param[in,out] sample  What it would give; the transmittance of transparent shapes is added.
+ * @param[out] occluded  Those points.
+ */
+static void light_sample_trace(const ShapeSet *shapes, const Light *light, const RayOffset *offset,
+                               const SurfaceHit *surface, LightSample *sample, mask *occluded) {
+    const ShapeSet *opaque = surface->interior ? &surface->dielectrics->opaque : shapes;
+    PacketIntervals intervals;
+    bool has_intervals = sample->target && LANES > 1;
+    bool is_clear = sample->target && light_sample_is_clear(opaque, sample, &intervals);
+    if (sample->target &&
+        (!is_clear || surface->interior || light->methods || surface->packet->context.recorders)) {
+        light_sample_aim(sample);
+    }
+    if (light->methods & METHOD_SHADOW_BY_SHAPE) {
+        report_shadow_by_shape(shapes, surface, sample, occluded);
+        return;
+    }
+    if (is_clear) {
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            occluded[v] = mask_of(false);
+        }
+    } else {
+        shape_set_occluded(opaque, &sample->shadow_rays, has_intervals ? &intervals : NULL,
+                           occluded);
+    }
+    if (surface->interior) {
+        shadow_transmittance_find(shapes, offset, surface, &sample->shadow_rays, occluded,
+                                  sample->transmittance);
+    }
+}
+
 uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_count,
                       const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
                       DirectLighting *lighting) {
     uint64_t rays = 0;
-    direct_lighting_clear(lighting);
+    direct_lighting_clear(lighting, has_specular);
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;
         mask occluded[PACKET_VECTORS];
         sample.shadow_rays.wants_points = false;
+        sample.shadow_rays.has_beam = false;
+        sample.target = NULL;
         lights[i].sample(&lights[i], i, offset, surface, &sample);
         if (lights[i].methods & METHOD_SHADOW_BEYOND) {
             report_shadow_extend(&sample);
         }
         unsigned count = packet_active_count(&sample.shadow_rays);
         if (count > 0) {
-            if (lights[i].methods & METHOD_SHADOW_BY_SHAPE) {
-                report_shadow_by_shape(shapes, surface, &sample, occluded);
-            } else {
-                shape_set_occluded(surface->interior ? &surface->dielectrics->opaque : shapes,
-                                   &sample.shadow_rays, occluded);
-            }
-            if (surface->interior && !(lights[i].methods & METHOD_SHADOW_BY_SHAPE)) {
-                shadow_transmittance_find(shapes, offset, surface, &sample.shadow_rays, occluded,
-                                          sample.transmittance);
-            }
+            light_sample_trace(shapes, &lights[i], offset, surface, &sample, occluded);
             if (surface->packet->context.recorders) {
                 light_sample_record(shapes, lights, i, &sample, occluded, has_specular, surface);
             }

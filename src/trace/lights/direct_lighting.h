@@ -13,7 +13,8 @@ typedef struct Light Light;
 /** What the lights give, before the materials weigh it. */
 typedef struct DirectLighting {
     Rgb diffuse[PACKET_VECTORS];  /**< Sum of V L f max(0, n . l). */
-    Rgb specular[PACKET_VECTORS]; /**< Sum of V L f max(0, r . v)^shininess. */
+    Rgb specular[PACKET_VECTORS]; /**< Sum of V L f max(0, r . v)^shininess; set only where any
+                                       surface has highlights. */
 } DirectLighting;
 
 /**

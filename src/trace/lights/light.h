@@ -19,7 +19,10 @@
  * root if it falls off.
  */
 typedef struct LightSample {
-    Packet shadow_rays;                    /**< Rays to the light; active where it may shine. */
+    Packet shadow_rays; /**< Rays to the light; active where it may shine. */
+    const Vec3 *target; /**< The point of the light at which all rays end; not owned. Only their
+                             origins are set then, until light_sample_aim(): most rays are never
+                             traced. NULL: there is none. */
     real cosine[PACKET_VECTORS];           /**< n . l, above 0 where active. */
     real distance_squared[PACKET_VECTORS]; /**< Scene units squared, for the falloff. */
     real weight[PACKET_VECTORS];           /**< See above; 1 for a point. */
@@ -68,6 +71,8 @@ struct Light {
     bool is_visible;             /**< Whether rays see it. */
     bool is_soft;                /**< Whether each shadow ray goes to another point of it. */
     bool is_at_infinity;         /**< Whether its light is parallel. */
+    bool is_point;               /**< Whether it shines from #position to all sides alike. */
+    Vec3 position;               /**< Of a point. */
     unsigned methods; /**< Methods of the reports for its shadows: a set of #ReportMethod. */
     Rgb radiance;     /**< As bright as rays see it: #intensity, unless a report's. */
     real own[LIGHT_OWN_VECTORS]; /**< The class's own struct; see #light_own. */
@@ -108,13 +113,18 @@ typedef struct SquareSample {
  */
 SquareSample light_square_sample(const SampleContext *context, size_t light_index, int v);
 
+/** @return The square of the distance to a light, as its falloff counts it. */
+INLINE real light_distance_squared(Vec3 to_light) {
+    return real_max(vec3_dot(to_light, to_light), real_of(MIN_DISTANCE_SQUARED));
+}
+
 /**
  * Sets what points could get from a light along one ray each.
  * @param v  Which vector of points.
  * @param to_light  From them to the light.
  */
 INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, LightSample *sample) {
-    real distance_squared = real_max(vec3_dot(to_light, to_light), real_of(MIN_DISTANCE_SQUARED));
+    real distance_squared = light_distance_squared(to_light);
     real cosine = vec3_dot(surface->n_front[v], to_light) / real_sqrt(distance_squared);
     sample->shadow_rays.active[v] = surface->needs_light[v] & (cosine > 0);
     sample->cosine[v] = cosine;
@@ -123,9 +133,11 @@ INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, Li
     sample->distance_squared[v] = sample->to_light_squared[v] = distance_squared;
 }
 
-/** Samples the middle of a light. See #LightSampler. @param center The middle. */
-INLINE void light_sample_center(Vec3 center, const RayOffset *offset, const SurfaceHit *surface,
-                                LightSample *sample) {
+/** Samples the middle of a light. See #LightSampler. @param center The middle; it outlives the
+ *  sample. */
+INLINE void light_sample_center(const Vec3 *center, const RayOffset *offset,
+                                const SurfaceHit *surface, LightSample *sample) {
+    sample->target = center;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &surface->hits[v];
         if (!any(surface->needs_light[v])) {
@@ -133,12 +145,21 @@ INLINE void light_sample_center(Vec3 center, const RayOffset *offset, const Surf
             sample->shadow_rays.limit[v] = sample->distance_squared[v] = real_of(1);
             continue;
         }
-        Vec3 to_light = vec3_subtract(center, hit->point);
-        Vec3 origin = ray_offset_origin(offset, hit, to_light);
+        Vec3 to_light = vec3_subtract(*center, hit->point);
         light_sample_set(surface, v, to_light, sample);
+        sample->shadow_rays.rays[v].origin = ray_offset_origin(offset, hit, to_light);
         // The ray ends at the light itself: its parameter runs from 0 to 1.
-        sample->shadow_rays.rays[v] = ray_of(origin, vec3_subtract(center, origin));
         sample->shadow_rays.limit[v] = real_of(1);
+    }
+}
+
+/** Directs rays to #LightSample.target. */
+INLINE void light_sample_aim(LightSample *sample) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Ray *ray = &sample->shadow_rays.rays[v];
+        if (any(sample->shadow_rays.active[v])) {
+            *ray = ray_of(ray->origin, vec3_subtract(*sample->target, ray->origin));
+        }
     }
 }
 
@@ -173,21 +194,13 @@ INLINE Vec3 light_sample_direction(const LightSample *sample, int v) {
     return vec3_scale(sample->to_light[v], 1 / real_sqrt(sample->to_light_squared[v]));
 }
 
-/**
- * @return The factor of a light's intensity at points, without the cosine.
- * @param v  Which vector of points.
- */
-INLINE real light_attenuation(const Light *light, const LightSample *sample, int v) {
-    real attenuation = sample->weight[v];
-    if (light->is_inverse_square) {
-        attenuation = attenuation /
-                      real_max(sample->distance_squared[v], real_of(light->min_distance_squared));
-    } else if (light->is_inverse_linear) {
-        real distance =
-            real_sqrt(real_max(sample->distance_squared[v], real_of(light->min_distance_squared)));
-        attenuation = attenuation / (light->falloff_constant + distance);
-    }
-    return attenuation;
+/** @return The factor of a light's intensity at points, without the cosine. @param weight,
+ *  distance_squared See #LightSample. */
+INLINE real light_attenuation(const Light *light, real weight, real distance_squared) {
+    real squared = real_max(distance_squared, real_of(light->min_distance_squared));
+    return light->is_inverse_square   ? weight / squared
+           : light->is_inverse_linear ? weight / (light->falloff_constant + real_sqrt(squared))
+                                      : weight;
 }
 
 #endif

@@ -24,7 +24,7 @@ typedef struct LIGHT_OWN PointLight {
 static void point_light_sample(const Light *light, size_t light_index, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample) {
     (void)light_index;
-    light_sample_center(((const PointLight *)light_own(light))->position, offset, surface, sample);
+    light_sample_center(&((const PointLight *)light_own(light))->position, offset, surface, sample);
 }
 
 /** Samples the centre of a sphere. The rays end at the sphere: shapes inside are not in the way.
@@ -124,6 +124,8 @@ static void point_light_init(Light *self, const SceneLight *said, int samples) {
     *(PointLight *)self->own = (PointLight){vec3_of(said->position), real_of(radius)};
     self->is_visible = radius > 0;
     self->is_soft = self->is_visible && samples > 1;
+    self->is_point = !self->is_visible;
+    self->position = vec3_of(said->position);
     self->sample = self->is_soft      ? sphere_light_sample
                    : self->is_visible ? sphere_light_sample_center
                                       : point_light_sample;

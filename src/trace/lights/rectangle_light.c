@@ -65,7 +65,7 @@ static void rectangle_light_sample_center(const Light *light, size_t light_index
                                           LightSample *sample) {
     (void)light_index;
     const RectangleLight *rectangle = light_own(light);
-    light_sample_center(rectangle->center, offset, surface, sample);
+    light_sample_center(&rectangle->center, offset, surface, sample);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Vec3 from_corner = vec3_subtract(surface->hits[v].point, rectangle->corner);
         real distance = real_sqrt(sample->distance_squared[v]);

@@ -43,6 +43,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     mask is_transmitted[PACKET_VECTORS];
     integer shape_before[PACKET_VECTORS];
     segments.wants_points = true;
+    segments.has_beam = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Hit *hit = &hits[v];
         Vec3 direction = rays->rays[v].direction, normal = hit->normal;

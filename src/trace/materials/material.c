@@ -27,11 +27,20 @@ static Rgbs rgbs_scale(Rgbs a, scalar s) {
     return (Rgbs){a.red * s, a.green * s, a.blue * s};
 }
 
+/** @return Whether any channel is above 0. */
+static bool rgbs_is_positive(Rgbs c) {
+    return c.red > 0 || c.green > 0 || c.blue > 0;
+}
+
 Material material_of(const SceneMaterial *scene, Rgbd ambient_light) {
     Rgbs rest = diffuse_fraction(rgbs_of(scene->reflectivity), rgbs_of(scene->transparency));
 #define PROPERTY(name, value) .name = value,
-    return (Material){MATERIAL_PROPERTIES(PROPERTY, PROPERTY)};
+    Material material = {MATERIAL_PROPERTIES(PROPERTY, PROPERTY)};
 #undef PROPERTY
+    bool turns = rgbs_is_positive(material.reflectance) || rgbs_is_positive(material.transmittance);
+    material.traits =
+        (rgbs_is_positive(material.specular) ? MATERIAL_SHINES : 0) | (turns ? MATERIAL_TURNS : 0);
+    return material;
 }
 
 /** @return The integer part of a number below 2^31. */

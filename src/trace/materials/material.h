@@ -22,6 +22,12 @@
     NUMBER(diffuse, (scalar)scene->diffuse)     /* Weight of diffuse light. */                     \
     NUMBER(shininess, (scalar)scene->shininess) /* Exponent of highlights. */
 
+/** What light does at a material besides being scattered: a set of these. */
+enum {
+    MATERIAL_SHINES = 1, /**< It has highlights. */
+    MATERIAL_TURNS = 2   /**< It reflects or transmits rays. */
+};
+
 /** A material. See #MATERIAL_PROPERTIES. */
 typedef struct Material {
 #define COLOR(name, value) Rgbs name;
@@ -29,6 +35,7 @@ typedef struct Material {
     MATERIAL_PROPERTIES(COLOR, NUMBER)
 #undef COLOR
 #undef NUMBER
+    unsigned traits; /**< #MATERIAL_SHINES, #MATERIAL_TURNS. */
 } Material;
 
 /** The materials at the hits of LANES rays. See #MATERIAL_PROPERTIES. */
@@ -59,6 +66,13 @@ INLINE MaterialPack material_pack_select(mask m, const MaterialPack *a, const Ma
     return (MaterialPack){MATERIAL_PROPERTIES(COLOR, NUMBER)};
 #undef COLOR
 #undef NUMBER
+}
+
+/** @return emission + albedo (ambient + diffuse D): the radiance of a matt surface. @param light
+ * Its sum D of direct light. */
+INLINE Rgb diffuse_color(const MaterialPack *material, Rgb light) {
+    Rgb all = rgb_add(material->ambient, rgb_scale(light, material->diffuse));
+    return rgb_add(material->emission, rgb_multiply(material->albedo, all));
 }
 
 /** The indices of the materials at the hits of LANES rays. Mostly all are equal, for neighbouring

@@ -27,4 +27,13 @@ INLINE MaterialIds material_ids_of(const ShapeSet *shapes, const Hit *hit, mask 
     return ids;
 }
 
+/** @return What materials do, all together. */
+INLINE unsigned material_ids_traits(const Material *materials, const MaterialIds *ids) {
+    unsigned traits = materials[ids->first].traits;
+    for (unsigned remaining = mask_bits(ids->others); remaining; remaining &= remaining - 1) {
+        traits |= materials[integer_at(&ids->ids, __builtin_ctz(remaining))].traits;
+    }
+    return traits;
+}
+
 #endif

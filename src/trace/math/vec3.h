@@ -79,6 +79,16 @@ INLINE Vec3s vec3s_narrow(Vec3sw p) {
     return (Vec3s){(scalar)p.x, (scalar)p.y, (scalar)p.z};
 }
 
+/** @return A vector that is the same in all lanes. */
+INLINE Vec3s vec3s_first_lane(Vec3 v) {
+    return (Vec3s){real_lane(v.x, 0), real_lane(v.y, 0), real_lane(v.z, 0)};
+}
+
+/** @return The same numbers, exactly. */
+INLINE Vec3sw vec3s_widen(Vec3s p) {
+    return (Vec3sw){(wide_scalar)p.x, (wide_scalar)p.y, (wide_scalar)p.z};
+}
+
 /** @return A vector in all lanes. */
 INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};
@@ -131,6 +141,16 @@ INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));
 }
 
+/** @return The minimum of each component; that of b if either is NaN. */
+INLINE Vec3 vec3_min(Vec3 a, Vec3 b) {
+    return (Vec3){real_min(a.x, b.x), real_min(a.y, b.y), real_min(a.z, b.z)};
+}
+
+/** @return The maximum of each component; that of b if either is NaN. */
+INLINE Vec3 vec3_max(Vec3 a, Vec3 b) {
+    return (Vec3){real_max(a.x, b.x), real_max(a.y, b.y), real_max(a.z, b.z)};
+}
+
 /** @return a where the mask is set, b elsewhere. */
 INLINE Vec3 vec3_select(mask m, Vec3 a, Vec3 b) {
     return (Vec3){real_select(m, a.x, b.x), real_select(m, a.y, b.y), real_select(m, a.z, b.z)};
@@ -164,6 +184,31 @@ INLINE wide vec3w_dot(Vec3w a, Vec3w b) {
 /** @return a x b. */
 INLINE Vec3w vec3w_cross(Vec3w a, Vec3w b) {
     return (Vec3w){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/** @return The absolute value. */
+INLINE scalar scalar_abs(scalar x) {
+    return x < 0 ? -x : x;
+}
+
+/** @return a + b. */
+INLINE Vec3s vec3s_add(Vec3s a, Vec3s b) {
+    return (Vec3s){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/** @return s v. */
+INLINE Vec3s vec3s_scale(Vec3s v, scalar s) {
+    return (Vec3s){v.x * s, v.y * s, v.z * s};
+}
+
+/** @return a . b. */
+INLINE scalar vec3s_dot(Vec3s a, Vec3s b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+INLINE scalar vec3s_abs_sum(Vec3s v) {
+    return scalar_abs(v.x) + scalar_abs(v.y) + scalar_abs(v.z);
 }
 
 /** @return a - b. */

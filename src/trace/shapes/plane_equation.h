@@ -6,18 +6,19 @@
 #define DIOPTRE_TRACE_SHAPES_PLANE_EQUATION_H
 
 #include "trace/shapes/shape.h"
+#include "trace/tracer/packet.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates and of the anchor. */
 #define PLANE_ERROR 8
 
 /** A plane: all points p with normal . (p - anchor) = 0. */
-typedef struct PlaneEquation {
+struct PlaneEquation {
     Vec3sw wide_anchor; /**< A point of the plane. */
     Vec3sw wide_normal; /**< Unit normal. */
     Vec3s anchor;       /**< #wide_anchor, rounded. */
     Vec3s normal;       /**< #wide_normal, rounded. */
     scalar magnitude;   /**< Largest coordinate of the anchor: rounding errors scale with it. */
-} PlaneEquation;
+};
 
 /** @return The plane through a point. @param normal Normal of length about 1. */
 static inline PlaneEquation plane_equation_through(Vec3sw anchor, Vec3sw normal) {
@@ -60,6 +61,30 @@ INLINE PlaneHit plane_equation_intersect(const PlaneEquation *plane, const Ray *
     Vec3w to_anchor = vec3w_subtract(vec3w_splat(plane->wide_anchor), vec3_widen(ray->origin));
     return (PlaneHit){to_anchor, vec3w_dot(normal, to_anchor),
                       vec3w_dot(normal, vec3_widen(ray->direction))};
+}
+
+/** @return Height of a plane above an origin, as plane_equation_intersect() rounds it. */
+INLINE real plane_equation_height(const PlaneEquation *plane, Vec3s origin) {
+    Vec3sw to_anchor = vec3sw_subtract(plane->wide_anchor, vec3s_widen(origin));
+    return real_of((scalar)vec3sw_dot(plane->wide_normal, to_anchor));
+}
+
+/** @return Height gained per length of directions, likewise. The distance is height over slope. */
+INLINE real plane_equation_slope(const PlaneEquation *plane, Vec3 direction) {
+    return narrow(vec3w_dot(vec3w_splat(plane->wide_normal), vec3_widen(direction)));
+}
+
+/** @return An upper bound on the distances at which the rays of a beam meet a plane from its front;
+ *          infinite where any may not. */
+static inline scalar plane_equation_farthest(const PlaneEquation *plane, const Beam *beam) {
+    const Vec3s n = plane->normal;
+    scalar height = real_lane(plane_equation_height(plane, beam->origin), 0);
+    scalar length = SCALAR_SQRT(vec3s_dot(beam->axis, beam->axis)) + vec3s_abs_sum(beam->across) +
+                    vec3s_abs_sum(beam->up);
+    scalar slope = vec3s_dot(n, beam->axis) + scalar_abs(vec3s_dot(n, beam->across)) +
+                   scalar_abs(vec3s_dot(n, beam->up)) + BEAM_SLACK * length;
+    // Both are negative for rays that come from the front and meet it before themselves.
+    return height < 0 && slope < 0 ? height * length / slope * (1 + BEAM_SLACK) : INFINITE;
 }
 
 /** @return Distance of a crossing: infinite or NaN for rays along the plane. */

@@ -8,14 +8,12 @@
 #include "trace/shapes/plane_equation.h"
 #include "trace/shapes/watertight.h"
 
-/** Corners of a quad. */
-enum { QUAD_CORNERS = 4 };
-
 /** A quad. @extends Shape */
 typedef struct Quad {
     Shape base;                   /**< Base. */
     PlaneEquation plane;          /**< The plane of the quad; its normal is u x v. */
     Vertex corners[QUAD_CORNERS]; /**< Corners, in turn. */
+    PolygonEdges edges;           /**< The edges between them. */
 } Quad;
 
 /** See #ShapeClass.init. */
@@ -29,6 +27,7 @@ static void quad_init(Shape *self, const void *parameters) {
     quad->corners[1] = vertex_of(next);
     quad->corners[2] = vertex_of(vec3d_add(next, p->v));
     quad->corners[3] = vertex_of(last);
+    quad->edges = quad_edges_of(quad->corners);
 }
 
 /** Finds rays whose line passes inside the edges. See #IntersectFunction. */
@@ -53,6 +52,30 @@ INLINE SurfacePoint quad_surface(const Shape *self, const Ray *ray, real distanc
 /** See #ShapeClass.is_hit. @callgraph */
 static mask quad_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     return primitive_is_hit(self, ray, active, hit, quad_intersect, quad_surface, NULL);
+}
+
+/** See #ShapeClass.covers. */
+static bool quad_covers(const Shape *self, const Beam *beam) {
+    return polygon_covers_beam(&((const Quad *)self)->edges, beam);
+}
+
+/** See #ShapeClass.plane. */
+static const PlaneEquation *quad_plane(const Shape *self) {
+    return &((const Quad *)self)->plane;
+}
+
+/** Finds where rays meet the plane: all pass inside the edges, and the plane is equally high above
+ *  all of them. See #ShapeClass.covered_hits. */
+static void quad_covered_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    const PlaneEquation plane = ((const Quad *)self)->plane;
+    const real height = plane_equation_height(&plane, packet->beam.origin);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Ray *ray = &packet->rays[v];
+        real distance = height / plane_equation_slope(&plane, ray->direction);
+        mask nearer = hit_is_nearer(&hits[v], packet->active[v], distance, self->index);
+        SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
+        shape_update_hit(self, &hits[v], nearer, distance, &surface);
+    }
 }
 
 /** See #ShapeClass.is_occluding. */
@@ -87,5 +110,8 @@ const ShapeClass quad_class = {
     .is_hit = quad_is_hit,
     .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
+    .covers = quad_covers,
+    .covered_hits = quad_covered_hits,
+    .plane = quad_plane,
     .texture_uv = quad_texture_uv,
 };

@@ -14,6 +14,8 @@
 
 typedef struct Shape Shape;
 typedef struct Packet Packet;
+typedef struct Beam Beam;
+typedef struct PlaneEquation PlaneEquation;
 typedef struct MeshBvhCache MeshBvhCache;
 
 /** A bounding box along the axes, rounded outwards; infinite where a shape is unbounded. */
@@ -102,6 +104,17 @@ typedef struct ShapeClass {
      * @return The lanes that are occluded.
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
+
+    /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
+     *          #covers and #covered_hits come together. */
+    bool (*covers)(const Shape *self, const Beam *beam);
+
+    /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL:
+     * none. A class with a plane has #covers. */
+    const PlaneEquation *(*plane)(const Shape *self);
+
+    /** #is_hit for a packet of a beam that the shape covers: to the bit the same, for less. */
+    void (*covered_hits)(const Shape *self, const Packet *packet, Hit *hits);
 
     /** @return The bounding box. */
     Aabbs (*bounds)(const Shape *self);

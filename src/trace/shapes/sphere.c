@@ -92,9 +92,22 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     return primitive_is_hit(self, ray, active, hit, sphere_intersect, sphere_surface, &roots);
 }
 
+/** @return The rays that may meet a sphere: those that start outside and go away, as most shadow
+ *          rays that leave it do, have no root above 0. NaN goes away. */
+INLINE mask sphere_may_meet(const Sphere *sphere, const Ray *ray) {
+    Vec3w to_center = vec3w_subtract(vec3w_splat(sphere->center), vec3_widen(ray->origin));
+    wide along = vec3w_dot(to_center, vec3_widen(ray->direction));
+    wide center_power = vec3w_dot(to_center, to_center) - wide_of(sphere->radius * sphere->radius);
+    return narrow_mask(wide_less(wide_of(0), along)) |
+           narrow_mask(wide_less_equal(center_power, wide_of(0)));
+}
+
 /** See #ShapeClass.is_occluding. */
 static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     SphereRoots roots;
+    if (!any(active & sphere_may_meet((const Sphere *)self, ray))) {
+        return mask_of(false);
+    }
     return primitive_is_occluding(self, ray, active, limit, sphere_intersect, &roots);
 }
 

@@ -287,6 +287,7 @@ static Packet transformed_packet_to_local(const TransformedShape *self, const Pa
     Aabb box = aabb_splat(self->bounds);
     Packet local_packet;
     local_packet.wants_points = packet->wants_points;
+    local_packet.has_beam = false;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         const Ray *ray = &packet->rays[v];
         LocalRay local_ray = {*ray, wide_of(0)};

@@ -12,7 +12,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 #define DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 
-#include "trace/shapes/shape.h"
+#include "trace/tracer/packet.h"
 
 /** A vertex in the engine's number type. */
 typedef struct Vertex {
@@ -143,6 +143,61 @@ INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *r
         inside |= main_axes.z & polygon_contains_ray_along(vertices, count, ray, 2);
     }
     return inside;
+}
+
+/** The edges of a polygon of four corners, one in each of the first lanes. */
+typedef struct PolygonEdges {
+    Vec3 from; /**< Where they start. */
+    Vec3 to;   /**< Where they end. */
+} PolygonEdges;
+
+/** Corners of a quad. */
+enum { QUAD_CORNERS = 4 };
+
+/** @return The edges of a quad; further lanes repeat them. @param corners In turn. */
+static inline PolygonEdges quad_edges_of(const Vertex *corners) {
+    PolygonEdges edges = {0};
+    for (int i = 0; i < LANES; i++) {
+        const scalar *from = corners[i % QUAD_CORNERS].xyz,
+                     *to = corners[(i + 1) % QUAD_CORNERS].xyz;
+        real_set_lane(&edges.from.x, i, from[0]);
+        real_set_lane(&edges.from.y, i, from[1]);
+        real_set_lane(&edges.from.z, i, from[2]);
+        real_set_lane(&edges.to.x, i, to[0]);
+        real_set_lane(&edges.to.y, i, to[1]);
+        real_set_lane(&edges.to.z, i, to[2]);
+    }
+    return edges;
+}
+
+/**
+ * Bound on all roundings, relative to the lengths of the two corners of an edge, seen from the ray,
+ * and of the direction: those of polygon_contains_ray() come to 34, of a ray's direction to 10, of
+ * polygon_covers_beam() to 20.
+ */
+#define COVER_SLACK (128 * ROUNDOFF)
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+INLINE real vec3_abs_sum(Vec3 v) {
+    return real_abs(v.x) + real_abs(v.y) + real_abs(v.z);
+}
+
+/**
+ * @return Whether polygon_contains_ray() holds for all rays of a beam. A ray passes an edge on the
+ *         side that the sign of d . (a x b) says, for its direction d and the corners a and b as
+ *         seen from its origin. That is linear in d: over a beam it is least at a corner.
+ */
+static inline bool polygon_covers_beam(const PolygonEdges *edges, const Beam *beam) {
+    Vec3 origin = vec3_splat(beam->origin), a = vec3_subtract(edges->from, origin),
+         b = vec3_subtract(edges->to, origin);
+    Vec3 n = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    real side = vec3_dot(n, vec3_splat(beam->axis));
+    real spread = real_abs(vec3_dot(n, vec3_splat(beam->across))) +
+                  real_abs(vec3_dot(n, vec3_splat(beam->up)));
+    real length =
+        real_of(vec3s_abs_sum(beam->axis) + vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up));
+    real least = spread + COVER_SLACK * length * vec3_abs_sum(a) * vec3_abs_sum(b);
+    return mask_bits(side > least) == ALL_LANES || mask_bits(-side > least) == ALL_LANES;
 }
 
 #endif

@@ -6,11 +6,6 @@
 
 #include "trace/math/sobol.h"
 
-/** Positions in a pixel are multiples of 1 / SUBPIXELS. So a position in the image is a whole
- * number of them, which every engine, float too, represents exactly: all engines trace the same
- * rays. */
-#define SUBPIXELS 256
-
 /** The scrambling of Sobol's sequence that the samples of a pixel follow. Of 1500, its mean is the
  *  nearest to the exact one over edges of all directions, with 4, 8, 16 and 64 samples
  *  (doc/tour.md, "Samples"). */
@@ -54,97 +49,38 @@ PixelJitter pixel_jitter_of(int sample) {
                          tent_sample(point.y ^ first.y ^ SAMPLE_CENTER)};
 }
 
-/** @return LANES camera rays. @param x Twice the distance from the centre of the image, pixels, to
- *  the right. @param y The same upwards. */
-INLINE Ray camera_ray(const Camera *camera, real x, real y) {
-    Vec3 offset = vec3_add(vec3_scale(camera->right, x), vec3_scale(camera->up, y));
-    return ray_of(camera->origin, vec3_normalize(vec3_add(offset, camera->forward)));
-}
-
-/**
- * @return Twice a ray's distance from the centre of the image along one axis, in 1 / #SUBPIXELS: an
- *         integer, symmetric about the centre, and exact in float up to 16384 pixels.
- * @param pixel  Index of the pixel along the axis.
- * @param jitter  The ray's position in the pixel.
- * @param size  Pixels of the image along the axis.
- */
-static int doubled_offset_from_center(int pixel, int jitter, int size) {
-    return 2 * (pixel * SUBPIXELS + jitter) - size * SUBPIXELS;
-}
-
-/** @return The interval of one component of the directions over a grid.
- *  @param forward, right, up  The component of the camera's vectors.
- *  @param x, y  Lowest and highest of what #camera_ray gets. */
-static AxisInterval camera_axis_interval(scalar origin, scalar forward, scalar right, scalar up,
-                                         const scalar x[2], const scalar y[2]) {
-    /** Bound on the roundings of a component, its normalization and its inverse: in each a handful,
-     *  relative to the sum of the magnitudes. */
-    const scalar slack = 32 * ROUNDOFF;
-    scalar low = INFINITE, high = -INFINITE, magnitude = 0;
-    for (int corner = 0; corner < 4; corner++) {
-        scalar across = right * x[corner & 1], along = up * y[corner >> 1];
-        scalar component = across + along + forward;
-        scalar sum = (across < 0 ? -across : across) + (along < 0 ? -along : along) +
-                     (forward < 0 ? -forward : forward);
-        low = component < low ? component : low;
-        high = component > high ? component : high;
-        magnitude = sum > magnitude ? sum : magnitude;
-    }
-    low -= slack * magnitude;
-    high += slack * magnitude;
-    bool is_one_way = low > 0 || high < 0;
-    return (AxisInterval){origin, origin, is_one_way ? 1 / high : -INFINITE,
-                          is_one_way ? 1 / low : INFINITE};
-}
-
-PacketIntervals camera_grid_intervals(const Camera *camera, const PixelGrid *grid,
-                                      PixelJitter jitter) {
+Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter) {
     const scalar scale = (scalar)1 / SUBPIXELS;
     int last_x = grid->x + (grid->columns - 1) * grid->stride,
         last_y = grid->y + (grid->rows - 1) * grid->stride;
-    jitter.x -= camera->shift;
-    jitter.y -= camera->shift;
-    const scalar x[2] = {
-        (scalar)doubled_offset_from_center(grid->x, jitter.x, camera->width) * scale,
-        (scalar)doubled_offset_from_center(last_x, jitter.x, camera->width) * scale};
-    const scalar y[2] = {
-        (scalar)-doubled_offset_from_center(grid->y, jitter.y, camera->height) * scale,
-        (scalar)-doubled_offset_from_center(last_y, jitter.y, camera->height) * scale};
-    PacketIntervals intervals = {.limit = INFINITE};
-    for (int axis = 0; axis < 3; axis++) {
-        intervals.axis[axis] =
-            camera_axis_interval(real_lane(vec3_component(&camera->origin, axis), 0),
-                                 real_lane(vec3_component(&camera->forward, axis), 0),
-                                 real_lane(vec3_component(&camera->right, axis), 0),
-                                 real_lane(vec3_component(&camera->up, axis), 0), x, y);
-    }
-    return intervals;
-}
-
-/** @return 0, 1, 2, ... in the lanes. */
-INLINE real lane_indices(void) {
-    real numbers = {0};
-    for (int i = 0; i < LANES; i++) {
-        real_set_lane(&numbers, i, (scalar)i);
-    }
-    return numbers;
+    int left = doubled_offset_from_center(grid->x, jitter.x - camera->shift, camera->width),
+        right = doubled_offset_from_center(last_x, jitter.x - camera->shift, camera->width),
+        top = -doubled_offset_from_center(grid->y, jitter.y - camera->shift, camera->height),
+        bottom = -doubled_offset_from_center(last_y, jitter.y - camera->shift, camera->height);
+    scalar half = scale / 2;
+    Vec3s x = vec3s_first_lane(camera->right), y = vec3s_first_lane(camera->up);
+    Vec3s middle = vec3s_add(vec3s_scale(x, (scalar)(left + right) * half),
+                             vec3s_scale(y, (scalar)(top + bottom) * half));
+    return (Beam){.origin = vec3s_first_lane(camera->origin),
+                  .axis = vec3s_add(middle, vec3s_first_lane(camera->forward)),
+                  .across = vec3s_scale(x, (scalar)(right - left) * half),
+                  .up = vec3s_scale(y, (scalar)(top - bottom) * half)};
 }
 
 /** Generates the rays of a packet of a whole grid. */
 static void camera_generate_grid_rays(const Camera *camera, const PixelGrid *grid,
                                       PixelJitter jitter, int index, Packet *packet) {
-    const scalar scale = (scalar)1 / SUBPIXELS;
-    real lane_index = lane_indices();
+    const GridPosition first = grid_packet_position(grid, index);
+    const bool is_whole = grid_has_whole_packet(grid, first);
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        GridPosition position = grid_vector_position(grid, index, v);
-        int pixel_x = grid->x + position.column * grid->stride,
-            pixel_y = grid->y + position.row * grid->stride;
-        int twice_x = doubled_offset_from_center(pixel_x, jitter.x, camera->width);
-        int twice_y = doubled_offset_from_center(pixel_y, jitter.y, camera->height);
-        real x = real_of((scalar)twice_x) + lane_index * (scalar)(2 * SUBPIXELS * grid->stride);
-        packet->rays[v] = camera_ray(camera, x * scale, real_of((scalar)-twice_y * scale));
-        packet->active[v] = (lane_index < real_of((scalar)(grid->columns - position.column))) &
-                            mask_of(position.row < grid->rows);
+        GridPosition position = grid_vector_position(first, v);
+        packet->rays[v] = camera_grid_ray(camera, grid, jitter, position);
+        packet->active[v] = mask_of(true);
+        if (!is_whole) {
+            packet->active[v] =
+                (lane_indices() < real_of((scalar)(grid->columns - position.column))) &
+                mask_of(position.row < grid->rows);
+        }
     }
 }
 
@@ -170,10 +106,25 @@ static void camera_generate_selected_rays(const Camera *camera, const PixelGrid 
     }
 }
 
+Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                        int index) {
+    GridPosition first = grid_packet_position(grid, index);
+    PixelGrid part = *grid;
+    part.x += first.column * grid->stride;
+    part.y += first.row * grid->stride;
+    part.columns = PACKET_COLUMNS;
+    part.rows = PACKET_ROWS;
+    return camera_beam(camera, &part, jitter);
+}
+
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                           int index, Packet *packet) {
-    jitter.x -= camera->shift;
-    jitter.y -= camera->shift;
+    // A beam of one ray would serve nothing.
+    packet->has_beam = LANES > 1 && !grid->selected;
+    if (packet->has_beam) {
+        packet->beam = camera_packet_beam(camera, grid, jitter, index);
+    }
+    jitter = camera_shifted(camera, jitter);
     packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->limit[v] = real_of(INFINITE);

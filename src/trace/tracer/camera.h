@@ -18,6 +18,11 @@ typedef struct Camera {
     int shift;    /**< By how much rays go to the left and up, in 1 / 256 pixels; 0: not at all. */
 } Camera;
 
+/** Positions in a pixel are multiples of 1 / SUBPIXELS. So a position in the image is a whole
+ * number of them, which every engine, float too, represents exactly: all engines trace the same
+ * rays. */
+#define SUBPIXELS 256
+
 /** The position of a sample in its pixel, in 1 / 256 pixels from the left and the top. The filter
  *  is wider than a pixel, so it may lie outside. */
 typedef struct PixelJitter {
@@ -63,27 +68,81 @@ typedef struct GridPosition {
     int row;    /**< From the top. */
 } GridPosition;
 
-/** @return The pixel of the first lane of a vector; it may lie beyond the grid. The other lanes
- *          follow in its row. @param index Index of the packet; no pixels are selected. */
-static inline GridPosition grid_vector_position(const PixelGrid *grid, int index, int v) {
+/** @return The first pixel of a packet. @param index Its index; no pixels are selected. */
+static inline GridPosition grid_packet_position(const PixelGrid *grid, int index) {
     int across = grid_packet_columns(grid);
-    return (GridPosition){index % across * PACKET_COLUMNS + v * LANES % PACKET_COLUMNS,
-                          index / across * PACKET_ROWS + v * LANES / PACKET_COLUMNS};
+    return (GridPosition){index % across * PACKET_COLUMNS, index / across * PACKET_ROWS};
+}
+
+/** @return Whether all pixels of a packet lie in a grid. @param first Its first pixel. */
+static inline bool grid_has_whole_packet(const PixelGrid *grid, GridPosition first) {
+    return first.column + PACKET_COLUMNS <= grid->columns && first.row + PACKET_ROWS <= grid->rows;
+}
+
+/** @return The pixel of the first lane of a vector; it may lie beyond the grid. The other lanes
+ *          follow in its row. @param first The first pixel of the packet. */
+static inline GridPosition grid_vector_position(GridPosition first, int v) {
+    return (GridPosition){first.column + v * LANES % PACKET_COLUMNS,
+                          first.row + v * LANES / PACKET_COLUMNS};
+}
+
+/** @return The beam of all camera rays of a grid of which no pixels are selected. */
+Beam camera_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter);
+
+/** @return The beam of a packet of such a grid. @param index Its index. */
+Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter jitter, int index);
+
+/** @return LANES camera rays. @param x Twice the distance from the centre of the image, pixels, to
+ *  the right. @param y The same upwards. */
+INLINE Ray camera_ray(const Camera *camera, real x, real y) {
+    Vec3 offset = vec3_add(vec3_scale(camera->right, x), vec3_scale(camera->up, y));
+    return ray_of(camera->origin, vec3_normalize(vec3_add(offset, camera->forward)));
 }
 
 /**
- * @return Intervals that contain all camera rays of a grid of which no pixels are selected,
- * rounding included. Directions are of any length. An axis along which rays go both ways clips
- *         nothing.
+ * @return Twice a ray's distance from the centre of the image along one axis, in 1 / #SUBPIXELS: an
+ *         integer, symmetric about the centre, and exact in float up to 16384 pixels.
+ * @param pixel  Index of the pixel along the axis.
+ * @param jitter  The ray's position in the pixel.
+ * @param size  Pixels of the image along the axis.
  */
-PacketIntervals camera_grid_intervals(const Camera *camera, const PixelGrid *grid,
-                                      PixelJitter jitter);
+static inline int doubled_offset_from_center(int pixel, int jitter, int size) {
+    return 2 * (pixel * SUBPIXELS + jitter) - size * SUBPIXELS;
+}
+
+/** @return 0, 1, 2, ... in the lanes. */
+INLINE real lane_indices(void) {
+    real numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        real_set_lane(&numbers, i, (scalar)i);
+    }
+    return numbers;
+}
+
+/** @return The position of samples, as rays go to the left and up. */
+INLINE PixelJitter camera_shifted(const Camera *camera, PixelJitter jitter) {
+    return (PixelJitter){jitter.x - camera->shift, jitter.y - camera->shift};
+}
+
+/** @return LANES camera rays of a row of a grid of which no pixels are selected. @param jitter From
+ *  camera_shifted(). @param position Of the first of them. */
+INLINE Ray camera_grid_ray(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                           GridPosition position) {
+    const scalar scale = (scalar)1 / SUBPIXELS;
+    int pixel_x = grid->x + position.column * grid->stride,
+        pixel_y = grid->y + position.row * grid->stride;
+    int twice_x = doubled_offset_from_center(pixel_x, jitter.x, camera->width);
+    int twice_y = doubled_offset_from_center(pixel_y, jitter.y, camera->height);
+    real x = real_of((scalar)twice_x) + lane_indices() * (scalar)(2 * SUBPIXELS * grid->stride);
+    return camera_ray(camera, x * scale, real_of((scalar)-twice_y * scale));
+}
 
 /**
  * Generates the camera rays of a packet.
  * @param jitter  Where in its pixel each ray goes.
  * @param index  Index of the packet, below grid_packet_count().
- * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid.
+ * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid. They have a
+ *         beam, unless pixels are selected.
  */
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                           int index, Packet *packet);

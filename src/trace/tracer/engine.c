@@ -93,7 +93,6 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
                        .methods = settings->methods,
                        .pixel_point = settings->pixel_point,
                        .origin = origin,
-                       .has_specular = scene_has_specular(scene),
                        .ray_offset = {settings->offset, (scalar)settings->epsilon}};
     tracer->lights = simd_allocate((scene->light_count + 1) * sizeof(Light));
     tracer->materials = simd_allocate(scene->material_count * sizeof(Material));

@@ -92,6 +92,72 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              real_reduce_max(limit)};
 }
 
+/** @return The interval along one axis of rays to a point. @param point Its coordinate. */
+INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar point) {
+    // The 0 that is added makes -0 positive, whose inverse would be the lowest of all.
+    scalar low = real_reduce_min(lowest), high = real_reduce_max(highest),
+           direction_low = point - high + 0, direction_high = point - low + 0;
+    bool is_one_way = direction_low >= 0 || direction_high < 0;
+    return (AxisInterval){low, high, is_one_way ? 1 / direction_high : -INFINITE,
+                          is_one_way ? 1 / direction_low : INFINITE};
+}
+
+PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit) {
+    return (PacketIntervals){{axis_interval_to_point(low.x, high.x, real_lane(point->x, 0)),
+                              axis_interval_to_point(low.y, high.y, real_lane(point->y, 0)),
+                              axis_interval_to_point(low.z, high.z, real_lane(point->z, 0))},
+                             limit};
+}
+
+PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point) {
+    const real most = real_of(INFINITE), least = real_of(-INFINITE);
+    Vec3 low = {most, most, most}, high = {least, least, least};
+    real limit = real_of(0);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        mask active = packet->active[v];
+        unsigned bits = mask_bits(active);
+        Vec3 origin = packet->rays[v].origin;
+        if (bits == 0) {
+            continue;
+        }
+        if (bits != ALL_LANES) {
+            int first = mask_first(active);
+            Vec3 other = {real_of(real_lane(origin.x, first)), real_of(real_lane(origin.y, first)),
+                          real_of(real_lane(origin.z, first))};
+            origin = vec3_select(active, origin, other);
+        }
+        low = vec3_min(origin, low);
+        high = vec3_max(origin, high);
+        limit = real_max(real_select(active, packet->limit[v], real_of(0)), limit);
+    }
+    return intervals_to_point(low, high, point, real_reduce_max(limit));
+}
+
+/** @return The interval of a beam along one axis. @param axis, half_width The component of its
+ * axis, and how far others are from it. @param length Shortest and longest of its directions,
+ * before they are normalized. */
+static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_width,
+                                       const scalar length[2]) {
+    scalar low = axis - half_width, high = axis + half_width;
+    AxisInterval both_ways = {origin, origin, -INFINITE, INFINITE};
+    return low > 0    ? (AxisInterval){origin, origin, length[0] / high, length[1] / low}
+           : high < 0 ? (AxisInterval){origin, origin, length[1] / high, length[0] / low}
+                      : both_ways;
+}
+
+PacketIntervals beam_intervals(const Beam *beam) {
+    const Vec3s *o = &beam->origin, *a = &beam->axis, *r = &beam->across, *u = &beam->up;
+    scalar middle = SCALAR_SQRT(vec3s_dot(*a, *a));
+    scalar width = vec3s_abs_sum(*r) + vec3s_abs_sum(*u), slack = BEAM_SLACK * (middle + width);
+    scalar shortest = middle - width - slack;
+    const scalar length[2] = {shortest > 0 ? shortest : 0, middle + width + slack};
+    return (PacketIntervals){
+        {beam_axis_interval(o->x, a->x, scalar_abs(r->x) + scalar_abs(u->x) + slack, length),
+         beam_axis_interval(o->y, a->y, scalar_abs(r->y) + scalar_abs(u->y) + slack, length),
+         beam_axis_interval(o->z, a->z, scalar_abs(r->z) + scalar_abs(u->z) + slack, length)},
+        INFINITE};
+}
+
 /** Clips the interval of distances in which any ray can be between two planes, for rays whose
  *  directions are positive along the axis. NaN, for which comparisons are false, clips nothing.
  *  @param[in,out] near Lower bound of the distance, per box. */

@@ -53,6 +53,15 @@ static inline RayTree *sample_context_ray_tree(const SampleContext *context) {
     return context->recorders ? context->recorders->ray_tree : NULL;
 }
 
+/** Rays from one point in the directions axis + a across + b up, where a and b are -1 to 1; then
+ *  normalized. */
+struct Beam {
+    Vec3s origin; /**< The point. */
+    Vec3s axis;   /**< To the middle. */
+    Vec3s across; /**< From the middle to the right edge. */
+    Vec3s up;     /**< From the middle to the upper edge. */
+};
+
 /** Rays that are traced together. */
 struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
@@ -60,6 +69,8 @@ struct Packet {
     real limit[PACKET_VECTORS];  /**< The largest distance that counts. */
     bool wants_points;           /**< Whether hit points and normals are needed, not only shapes and
                                       distances. */
+    bool has_beam;               /**< Whether all rays are within #beam. */
+    Beam beam;                   /**< A beam of camera rays. */
     SampleContext context;       /**< The samples that the rays belong to. */
 };
 
@@ -127,6 +138,25 @@ unsigned packet_active_count(const Packet *packet);
 /** @return The intervals of a packet with at least one active ray. Engines of one lane test each
  * box for its ray: their intervals are empty. */
 PacketIntervals packet_intervals(const Packet *packet);
+
+/** Bound on the roundings of a direction of a beam and its inverse, in lengths of the beam's axis
+ *  and edges: each component has a dozen, relative to the camera's vectors, which are at right
+ *  angles and so no longer than the axis. */
+#define BEAM_SLACK (64 * ROUNDOFF)
+
+/** @return The intervals of a packet whose rays all end at one point, with at least one active ray.
+ *          Only their origins and limits are read: the direction and its inverse are monotonic in
+ *          them, also as they are rounded, so the intervals are those of packet_intervals(). An
+ *          axis along which rays go both ways clips nothing. */
+PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point);
+
+/** @return The same. @param low, high Least and greatest origins, per lane. @param limit The
+ * largest limit. */
+PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit);
+
+/** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays
+ *          go both ways clips nothing. */
+PacketIntervals beam_intervals(const Beam *beam);
 
 /**
  * @return The boxes that rays within the intervals may hit; set where that cannot be excluded.

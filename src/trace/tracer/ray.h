@@ -53,6 +53,14 @@ INLINE mask hit_is_nearer(const Hit *hit, mask active, real distance, int shape)
 /** Replaces the hits in the lanes in which a shape is nearer. @param found The hits of the shape.
  */
 INLINE void hit_update(Hit *hit, mask nearer, const Hit *found) {
+    if (LANES > 1 && mask_bits(nearer) == ALL_LANES) {
+        hit->distance = found->distance;
+        hit->point = found->point;
+        hit->normal = found->normal;
+        hit->error = found->error;
+        hit->shape = found->shape;
+        return;
+    }
     hit->distance = real_select(nearer, found->distance, hit->distance);
     hit->point = vec3_select(nearer, found->point, hit->point);
     hit->normal = vec3_select(nearer, found->normal, hit->normal);

@@ -104,6 +104,7 @@ static inline void packet_gather(const RayColumns *columns, int interior_count, 
     Packet *packet = &gathered->rays.packet;
     gathered->rays.interior = gathered->interior;
     packet->wants_points = true;
+    packet->has_beam = false;
     for (unsigned v = 0; v < PACKET_VECTORS; v++) {
         unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
         packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);

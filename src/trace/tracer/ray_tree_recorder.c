@@ -260,7 +260,8 @@ void ray_tree_record_shadow(const ShapeSet *shapes, const SurfaceHit *surface, s
     ray->throughput = ray_tree->nodes[ray->parent].throughput;
     ray->weight = one;
     ray->cosine = real_first_lane(sample->cosine[0]);
-    ray->falloff = real_first_lane(light_attenuation(light, sample, 0));
+    ray->falloff =
+        real_first_lane(light_attenuation(light, sample->weight[0], sample->distance_squared[0]));
     ray->diffuse = rgb_first_lane(lighting->diffuse[0]);
     ray->specular = rgb_first_lane(lighting->specular[0]);
     ray->transmittance = surface->interior ? rgb_first_lane(sample->transmittance[0]) : one;

@@ -13,7 +13,7 @@
 /** Constant of that falloff, scene units. */
 #define REPORT_D_CONSTANT 2
 
-__attribute__((noinline)) void report_trace_camera_packet(const TraceContext *context,
+__attribute__((noinline)) bool report_trace_camera_packet(const TraceContext *context,
                                                           const RayState *rays, Rgb *colors,
                                                           Losses *losses) {
     RayTally tally;
@@ -22,13 +22,14 @@ __attribute__((noinline)) void report_trace_camera_packet(const TraceContext *co
     for (int v = 0; v < PACKET_VECTORS; v++) {
         tally.count[v] = real_of(1);
     }
-    trace_packet(&counted, rays, colors, losses);
+    bool may_lose = trace_packet(&counted, rays, colors, losses);
     if (context->tracer->methods & METHOD_MEAN_OF_RAYS) {
         for (int v = 0; v < PACKET_VECTORS; v++) {
             real count = real_min(tally.count[v], real_of(REPORT_D_RAYS));
             colors[v] = rgb_scale(colors[v], 1 / count);
         }
     }
+    return may_lose;
 }
 
 /** @return What is left of the colours that rays bring back: 1 / d^2 of the length of secondary

@@ -17,7 +17,7 @@ struct RayTally {
 };
 
 /** Traces a packet of camera rays. See #trace_packet. */
-void report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors,
+bool report_trace_camera_packet(const TraceContext *context, const RayState *rays, Rgb *colors,
                                 Losses *losses);
 
 /** Sets the colours of rays that met no shape: what A's secondary rays do not meet is black. */

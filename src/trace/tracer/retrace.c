@@ -41,22 +41,21 @@ static void recorders_begin(const RayState *rays) {
     }
 }
 
-/** Traces the active rays of a packet once. @param cutoff Rays of less throughput end. */
-static void trace_pass(const Tracer *tracer, scalar cutoff, const RayState *rays, Rgb *colors,
+/** Traces the active rays of a packet once. @param cutoff Rays of less throughput end. @return
+ *  Whether the losses are set; otherwise there are none. */
+static bool trace_pass(const Tracer *tracer, scalar cutoff, const RayState *rays, Rgb *colors,
                        Losses *losses, RayCounts *counts) {
     const TraceContext context = {.tracer = tracer, .counts = counts, .cutoff = cutoff};
     RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
     if (rays->packet.context.recorders) {
         recorders_begin(rays);
     }
-    if (tracer->methods) {
-        report_trace_camera_packet(&context, rays, colors, losses);
-    } else {
-        trace_packet(&context, rays, colors, losses);
-    }
+    bool may_lose = tracer->methods ? report_trace_camera_packet(&context, rays, colors, losses)
+                                    : trace_packet(&context, rays, colors, losses);
     if (ray_tree) {
         ray_tree_pop(ray_tree, colors[0]);
     }
+    return may_lose;
 }
 
 /* --- losses ----------------------------------------------------------------------------------- */
@@ -164,7 +163,9 @@ static __attribute__((noinline)) void retrace(const Tracer *tracer, scalar cutof
     Rgb new_colors[PACKET_VECTORS];
     Losses new_losses;
     memcpy(rays->packet.active, lanes, sizeof rays->packet.active);
-    trace_pass(tracer, cutoff, rays, new_colors, &new_losses, counts);
+    if (!trace_pass(tracer, cutoff, rays, new_colors, &new_losses, counts)) {
+        losses_clear(&new_losses);
+    }
     results_replace(lanes, new_colors, &new_losses, colors, losses);
 }
 
@@ -205,9 +206,10 @@ static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer, sc
 void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts) {
     const RayCounts first_counts = *counts;
     Losses losses;
-    trace_pass(tracer, tracer->loss_budget.throughput, rays, colors, &losses, counts);
+    bool may_lose =
+        trace_pass(tracer, tracer->loss_budget.throughput, rays, colors, &losses, counts);
     // The reports have rules of their own for where rays end.
-    if (!tracer->methods && losses_are_any(rays, &losses)) {
+    if (may_lose && !tracer->methods && losses_are_any(rays, &losses)) {
         retrace_open_rays(tracer, tracer->loss_budget.throughput, &first_counts, rays, colors,
                           &losses, counts);
         settle_losses(tracer, rays, &losses, colors, counts);
@@ -260,7 +262,9 @@ static void camera_packet_trace_recursively(const CameraGroup *group, scalar cut
     mask active[PACKET_VECTORS];
     memcpy(active, rays->packet.active, sizeof active);
     memcpy(rays->packet.active, packet->lanes, sizeof active);
-    trace_pass(group->tracer, cutoff, rays, colors, &losses, group->counts);
+    if (!trace_pass(group->tracer, cutoff, rays, colors, &losses, group->counts)) {
+        losses_clear(&losses);
+    }
     retrace_open_rays(group->tracer, cutoff, &first_counts, rays, colors, &losses, group->counts);
     results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
     memcpy(rays->packet.active, active, sizeof active);

@@ -13,6 +13,7 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
     secondary->type = type;
     secondary->rays.interior = interior;
     secondary->rays.packet.wants_points = true;
+    secondary->rays.packet.has_beam = false;
     secondary->rays.packet.context = parent->context;
     secondary->rays.packet.context.bounce++;
     secondary->rays.packet.context.type = type;

@@ -27,8 +27,8 @@ typedef struct ScatteredRays {
 /**
  * Finds what a packet of rays hits, shades it, and generates reflected and refracted rays.
  * @param[out] colors  The colours without reflection and refraction.
- * @param[in,out] losses  What ends here is added to this.
- * @return Whether rays may have been generated.
+ * @param[out] losses  What ends here; set only if true is returned.
+ * @return Whether rays may have been generated: otherwise nothing is lost.
  */
 bool shade_and_scatter(const TraceContext *context, const RayState *rays, ScatteredRays *scattered,
                        Rgb *colors, Losses *losses);

@@ -25,6 +25,8 @@ typedef struct SurfaceHit {
     mask needs_light[PACKET_VECTORS]; /**< The points that direct light is computed for. */
     mask may_turn[PACKET_VECTORS];    /**< The rays that may be reflected or refracted there. */
     MaterialIds material_ids[PACKET_VECTORS]; /**< The materials at the points. */
+    unsigned traits;              /**< What the materials do, all together: see #MATERIAL_SHINES. */
+    bool is_uniform;              /**< Whether all points have the same material. */
     Vec3 n_front[PACKET_VECTORS]; /**< The normals on the side that the rays come from. */
 } SurfaceHit;
 

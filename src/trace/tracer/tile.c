@@ -5,6 +5,7 @@
 #include "trace/tracer/tile.h"
 
 #include "trace/math/sobol.h"
+#include "trace/tracer/plain_packet.h"
 #include "trace/tracer/ray_tree_recorder.h"
 #include "trace/tracer/retrace.h"
 
@@ -14,12 +15,14 @@
 
 /** Writes the first lanes. @param count How many; all of them is the fast case. */
 INLINE void real_store_lanes(double *out, real x, int count) {
+#if LANES > 1
     if (count == LANES) {
-        for (int i = 0; i < LANES; i++) {
-            out[i] = (double)real_lane(x, i);
-        }
+        // Of engines with several lanes, the wider type is double.
+        wide numbers = widen(x);
+        memcpy(out, &numbers, sizeof numbers);
         return;
     }
+#endif
     for (int i = 0; i < count; i++) {
         out[i] = (double)real_lane(x, i);
     }
@@ -28,7 +31,19 @@ INLINE void real_store_lanes(double *out, real x, int count) {
 /** Writes the colours of a packet. @param[out] rgb Those of the grid: red, then green, then blue.
  */
 static void colors_write(const Rgb *colors, const PixelGrid *grid, int index, double *rgb) {
-    size_t plane = grid_ray_count(grid);
+    size_t plane = grid_ray_count(grid), columns = (size_t)grid->columns;
+    GridPosition first = grid_packet_position(grid, index);
+    if (!grid->selected && grid_has_whole_packet(grid, first)) {
+        double *target = rgb + (size_t)first.row * columns + (size_t)first.column;
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            GridPosition position = grid_vector_position((GridPosition){0}, v);
+            double *out = target + (size_t)position.row * columns + (size_t)position.column;
+            real_store_lanes(out, colors[v].red, LANES);
+            real_store_lanes(out + plane, colors[v].green, LANES);
+            real_store_lanes(out + 2 * plane, colors[v].blue, LANES);
+        }
+        return;
+    }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         OutputRange range = output_range(grid, index, v);
         double *out = rgb + range.first;
@@ -124,10 +139,15 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
+    bool may_be_plain = plain_packets_are_possible(tracer, grid);
     int packet_count = grid_packet_count(grid);
     for (int index = 0; index < packet_count; index++) {
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
+        if (may_be_plain && plain_packet_shade(tracer, grid, jitter, index, colors, counts)) {
+            colors_write(colors, grid, index, rgb);
+            continue;
+        }
         camera_rays_init(tracer, grid, jitter, index, is_recorded ? &recorders : NULL, &rays);
         trace_camera_rays(tracer, &rays.state, colors, counts);
         if (grid->ray_tree) {
@@ -149,8 +169,8 @@ static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid) {
     if (!is_plain || LANES == 1) {
         return false;
     }
-    const PacketIntervals intervals =
-        camera_grid_intervals(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+    const Beam beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+    const PacketIntervals intervals = beam_intervals(&beam);
     return !shape_set_may_meet(&tracer->shapes, &intervals);
 }
 

@@ -38,7 +38,7 @@ static inline OutputRange output_range(const PixelGrid *grid, int index, int v) 
         first = (size_t)index * PACKET_RAYS + (size_t)v * LANES;
         left = first < grid->selected_count ? grid->selected_count - first : 0;
     } else {
-        GridPosition position = grid_vector_position(grid, index, v);
+        GridPosition position = grid_vector_position(grid_packet_position(grid, index), v);
         first = (size_t)position.row * (size_t)grid->columns + (size_t)position.column;
         left = position.row < grid->rows && position.column < grid->columns
                    ? (size_t)(grid->columns - position.column)

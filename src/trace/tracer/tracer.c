@@ -20,6 +20,45 @@
 
 /* --- hits ------------------------------------------------------------------------------------- */
 
+/** @return The shape that all rays meet that meet any; -1: they meet several, or none. */
+INLINE int sole_shape(const SurfaceHit *surface) {
+    int first = 0;
+    while (first < PACKET_VECTORS && !any(surface->is_hit[first])) {
+        first++;
+    }
+    if (first == PACKET_VECTORS) {
+        return -1;
+    }
+    int shape = integer_at(&surface->hits[first].shape, mask_first(surface->is_hit[first]));
+    mask others = mask_of(false);
+    for (int v = first; v < PACKET_VECTORS; v++) {
+        others |= surface->is_hit[v] & (surface->hits[v].shape != integer_of(shape));
+    }
+    return any(others) ? -1 : shape;
+}
+
+/** Finds the materials at the hits: one for the whole packet, where its rays meet one shape. */
+INLINE void find_materials(const Tracer *tracer, SurfaceHit *surface) {
+    const Material *materials = surface->materials;
+    int shape = sole_shape(surface);
+    surface->is_uniform = shape >= 0;
+    if (surface->is_uniform) {
+        int material = tracer->shapes.shapes[shape]->material;
+        const MaterialIds ids = {integer_of(material), material, mask_of(false)};
+        surface->traits = materials[material].traits;
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            surface->material_ids[v] = ids;
+        }
+        return;
+    }
+    surface->traits = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        MaterialIds ids = material_ids_of(&tracer->shapes, &surface->hits[v], surface->is_hit[v]);
+        surface->material_ids[v] = ids;
+        surface->traits |= any(surface->is_hit[v]) ? material_ids_traits(materials, &ids) : 0;
+    }
+}
+
 /** Finds the nearest hit of each ray. @return Whether any ray hits a shape. */
 static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *surface) {
     const Packet *packet = &rays->packet;
@@ -40,7 +79,6 @@ static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *su
         mask is_inside = vec3_dot(packet->rays[v].direction, hit->normal) > 0;
         surface->n_front[v] =
             vec3_select(is_inside, vec3_scale(hit->normal, real_of(-1)), hit->normal);
-        surface->material_ids[v] = material_ids_of(&tracer->shapes, hit, surface->is_hit[v]);
         is_any_hit = is_any_hit || any(surface->is_hit[v]);
     }
     return is_any_hit;
@@ -93,37 +131,62 @@ INLINE void shade_background(const Tracer *tracer, const SurfaceHit *surface, Rg
 }
 
 /** @return emission + albedo (ambient + diffuse D) + specular S: the radiance of a surface without
- *          reflected and refracted rays. @param lighting Its sums D and S of direct light. */
-INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, int v) {
-    Rgb light = rgb_add(material->ambient, rgb_scale(lighting->diffuse[v], material->diffuse));
-    Rgb color = rgb_add(material->emission, rgb_multiply(material->albedo, light));
-    return rgb_add(color, rgb_multiply(material->specular, lighting->specular[v]));
+ *          reflected and refracted rays. @param lighting Its sums D and S of direct light. @param
+ *          shines Whether any surface has highlights. */
+INLINE Rgb local_color(const MaterialPack *material, const DirectLighting *lighting, bool shines,
+                       int v) {
+    Rgb color = diffuse_color(material, lighting->diffuse[v]);
+    return shines ? rgb_add(color, rgb_multiply(material->specular, lighting->specular[v])) : color;
+}
+
+/** Sets the colours of the rays that hit a shape, where all meet the same opaque material. */
+INLINE void shade_uniform_surfaces(const SurfaceHit *surface, const DirectLighting *lighting,
+                                   Rgb *colors) {
+    const MaterialPack material =
+        material_pack_splat(&surface->materials[surface->material_ids[0].first]);
+    const bool shines = surface->traits & MATERIAL_SHINES;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        colors[v] =
+            rgb_select(surface->is_hit[v], local_color(&material, lighting, shines, v), colors[v]);
+    }
+}
+
+/** Sets the colours of the rays that hit a shape, whatever they meet. @param textures The colours
+ *  of textures; NULL: there are none. */
+INLINE void shade_mixed_surfaces(const SurfaceHit *surface, const DirectLighting *lighting,
+                                 const Rgb *textures, Rgb *colors) {
+    const Rgb black = {real_of(0), real_of(0), real_of(0)};
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        MaterialPack material =
+            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
+        if (textures) {
+            material.albedo = rgb_multiply(material.albedo, textures[v]);
+        }
+        Rgb color = local_color(&material, lighting, surface->traits & MATERIAL_SHINES, v);
+        if (surface->dielectric) {
+            color = rgb_select(surface->dielectric->is_overridden[v], black, color);
+        }
+        colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    }
 }
 
 /** Sets the colours of the rays that hit a shape, without reflection and refraction. */
 INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surface, Rgb *colors) {
     const Tracer *tracer = context->tracer;
-    const Rgb black = {real_of(0), real_of(0), real_of(0)};
     bool has_textures = tracer->textures.material_maps != NULL;
+    // The reports add highlights, of 0, in any case.
+    bool shines = (surface->traits & MATERIAL_SHINES) || tracer->methods;
     DirectLighting lighting;
     Rgb texture_color[PACKET_VECTORS];
-    context->counts->shadow +=
-        shade_direct(&tracer->shapes, tracer->lights, tracer->light_count, &tracer->ray_offset,
-                     tracer->has_specular, surface, &lighting);
+    context->counts->shadow += shade_direct(&tracer->shapes, tracer->lights, tracer->light_count,
+                                            &tracer->ray_offset, shines, surface, &lighting);
     if (has_textures) {
         textures_sample(&tracer->textures, &tracer->shapes, surface, texture_color);
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        MaterialPack material =
-            material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
-        if (has_textures) {
-            material.albedo = rgb_multiply(material.albedo, texture_color[v]);
-        }
-        Rgb color = local_color(&material, &lighting, v);
-        if (surface->dielectric) {
-            color = rgb_select(surface->dielectric->is_overridden[v], black, color);
-        }
-        colors[v] = rgb_select(surface->is_hit[v], color, colors[v]);
+    if (surface->is_uniform && !has_textures && !surface->dielectric) {
+        shade_uniform_surfaces(surface, &lighting, colors);
+    } else {
+        shade_mixed_surfaces(surface, &lighting, has_textures ? texture_color : NULL, colors);
     }
     if (tracer->methods) {
         report_shade_surfaces(tracer, surface, &lighting, has_textures ? texture_color : NULL,
@@ -162,6 +225,7 @@ __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context, co
     if (rays->interior && is_any_hit) {
         contacts_resolve(&tracer->ray_offset, &surface);
     }
+    find_materials(tracer, &surface);
     if (rays->packet.context.recorders) {
         surface_hit_record(&surface, tracer);
     }
@@ -180,9 +244,12 @@ __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context, co
         }
     }
     shade_surfaces(context, &surface, colors);
-    if (!find_turns(tracer, rays, &surface)) {
+    // The reports' surfaces may turn rays that their materials do not.
+    bool is_matt = !(surface.traits & MATERIAL_TURNS) && !rays->interior && !tracer->methods;
+    if (is_matt || !find_turns(tracer, rays, &surface)) {
         return false;
     }
+    losses_clear(losses);
     reflect_rays(context, rays, &surface, &scattered->reflected, losses);
     if (rays->interior) {
         refract_rays(context, rays, &surface, &scattered->refracted, losses);
@@ -210,7 +277,9 @@ INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *se
     if (ray_tree) {
         ray_tree_push(ray_tree, secondary->type, rays, secondary->weights[0]);
     }
-    trace_packet(context, rays, incoming, &incoming_losses);
+    if (!trace_packet(context, rays, incoming, &incoming_losses)) {
+        losses_clear(&incoming_losses);
+    }
     if (ray_tree) {
         ray_tree_pop(ray_tree, incoming[0]);
     }
@@ -218,11 +287,10 @@ INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *se
     losses_add(&rays->packet, &incoming_losses, losses);
 }
 
-void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses) {
+bool trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses) {
     ScatteredRays scattered;
-    losses_clear(losses);
     if (!shade_and_scatter(context, rays, &scattered, colors, losses)) {
-        return;
+        return false;
     }
     // Report D lists the refracted ray first.
     bool is_refracted_first = rays->interior && context->tally;
@@ -233,4 +301,5 @@ void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors
     if (rays->interior && !is_refracted_first) {
         trace_secondary(context, &scattered.refracted, colors, losses);
     }
+    return true;
 }

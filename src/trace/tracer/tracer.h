@@ -41,7 +41,6 @@ struct Tracer {
     int depth;                 /**< Most reflections and refractions in succession; 0 if no material
                                     reflects or transmits. */
     LossBudget loss_budget;    /**< What may be ended below a camera ray. */
-    bool has_specular;         /**< Whether any material has specular highlights. */
     unsigned methods;          /**< #TraceSettings.methods */
     WavefrontPool *wavefronts; /**< Memory of tiles with transparent shapes; owned; NULL: rays are
                                     traced recursively. */
@@ -62,8 +61,10 @@ typedef struct TraceContext {
  * Traces a packet of rays, recursively.
  * @param rays  The rays; at least one is active.
  * @param[out] colors  The radiance that arrives along each ray.
- * @param[out] losses  What was ended below each.
+ * @param[out] losses  What was ended below each, and how many rays were traced there; set only if
+ *         true is returned.
+ * @return Whether rays may have been generated: otherwise nothing is lost.
  */
-void trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses);
+bool trace_packet(const TraceContext *context, const RayState *rays, Rgb *colors, Losses *losses);
 
 #endif

@@ -239,8 +239,10 @@ static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefron
     ScatteredRays scattered;
     Rgb colors[PACKET_VECTORS];
     Losses losses;
-    losses_clear(&losses);
     bool is_scattered = shade_and_scatter(context, &gathered->rays, &scattered, colors, &losses);
+    if (!is_scattered) {
+        losses_clear(&losses);
+    }
     nodes_add(wavefront->nodes, gathered, refracted, colors, &losses);
     if (is_scattered) {
         scattered_rays_queue(wavefront, cutoff, &gathered->source, &scattered, context->counts);
@@ -388,8 +390,10 @@ static __attribute__((noinline)) void camera_packet_trace(Wavefront *wavefront, 
     memcpy(active, rays->packet.active, sizeof active);
     memcpy(rays->packet.active, packet->lanes, sizeof active);
     if (packet_active_count(&rays->packet) > 0) {
-        losses_clear(&losses);
         bool is_scattered = shade_and_scatter(context, rays, &scattered, colors, &losses);
+        if (!is_scattered) {
+            losses_clear(&losses);
+        }
         results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
         if (is_scattered) {
             PacketSource source;

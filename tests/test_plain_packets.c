@@ -1,0 +1,189 @@
+/**
+ * @file
+ * @brief What a packet knows of all its rays changes no bit of them.
+ *
+ * Engines of several lanes ask once for a packet of camera rays which shapes it may meet, whether a
+ * quad covers it, and whether anything is between it and a lamp. Engines of one lane ask for each
+ * ray, so they are the reference. The rooms are the bad cases: edges that run through packets,
+ * slivers thinner than a pixel before walls and lamps, shapes that touch, lamps at a wall, wide and
+ * narrow fields of view, grids whose last packets are not full.
+ */
+#include "bvh_queries.h"
+
+/** Rooms that are drawn. */
+enum { ROOMS = 4000 };
+
+/** Most columns and rows of a grid. */
+enum { MOST = 40 };
+
+/** Half the edge of a room. */
+#define HALF 2.0
+
+/** A random coordinate in a room: half of them on a raster, so that edges and faces coincide. */
+static double room_coordinate(uint64_t *state) {
+    double x = random_float(state, -HALF, HALF);
+    return random_unit_double(state) < 0.5 ? floor(4 * x) / 4 : x;
+}
+
+/** @return A random point in a room. */
+static Vec3d room_point(uint64_t *state) {
+    double x = room_coordinate(state), y = room_coordinate(state), z = room_coordinate(state);
+    return (Vec3d){x, y, z};
+}
+
+/** Begins a material: mostly matt. */
+static void room_material(Scene *scene, uint64_t *state) {
+    Error error = {0};
+    SceneMaterial material = *(const SceneMaterial *)scene_material_keyword.defaults;
+    material.color = (Rgbd){random_unit_double(state), random_unit_double(state), 0.5};
+    if (random_unit_double(state) < 0.2) {
+        material.reflectivity = (Rgbd){0.25, 0.5, 0.125};
+    }
+    material.specular = random_unit_double(state) < 0.2 ? 0.5 : 0;
+    assert_true(scene_add_material(scene, &material, &error));
+}
+
+/** Adds a quad. */
+static void room_quad(Scene *scene, uint64_t *state, Vec3d corner, Vec3d u, Vec3d v) {
+    QuadParameters quad = {corner, u, v};
+    room_material(scene, state);
+    add_shape(scene, "quad", &quad);
+}
+
+/** Adds a shape in a room: a panel, a sliver, a ball or a box. */
+static void room_shape(Scene *scene, uint64_t *state) {
+    double kind = random_unit_double(state), thin = exp2(-14 * random_unit_double(state));
+    Vec3d at = room_point(state), to = vec3d_subtract(room_point(state), at);
+    if (random_unit_double(state) < 0.5) {
+        at.y = -HALF; // It stands on the floor.
+        to = (Vec3d){0.25 * to.x, fabs(to.y), 0.25 * to.z};
+    }
+    if (kind < 0.6) {
+        Vec3d across = {to.y, -to.x, 0.25};
+        room_quad(scene, state, at, to, vec3d_scale(across, kind < 0.3 ? thin : 1));
+        return;
+    }
+    room_material(scene, state);
+    if (kind < 0.8) {
+        SphereParameters sphere = {at, 0.5 * thin};
+        add_shape(scene, "sphere", &sphere);
+    } else {
+        BoxParameters box = {at, vec3d_add(at, (Vec3d){0.5, 0.5 * thin, 0.25})};
+        add_shape(scene, "box", &box);
+    }
+}
+
+/** Adds a lamp, often near the floor or the ceiling: there its directions differ most. */
+static void room_lamp(Scene *scene, uint64_t *state) {
+    Error error = {0};
+    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
+    light.position = room_point(state);
+    if (random_unit_double(state) < 0.5) {
+        double height = exp2(-12 * random_unit_double(state));
+        light.position.y = random_unit_double(state) < 0.25 ? HALF - height : height - HALF;
+    }
+    light.falloff = random_unit_double(state) < 0.5 ? FALLOFF_INVERSE_SQUARE : light.falloff;
+    assert_true(scene_add_light(scene, &light, &error));
+}
+
+/** Turns a camera into a room, in one of four rooms exactly along an axis. */
+static void room_camera_turn(SceneCamera *camera, uint64_t *state) {
+    double across = random_unit_double(state) - 0.5, along = random_unit_double(state) - 0.5;
+    double turn = random_unit_double(state) < 0.25 ? 0 : 0.5;
+    Vec3d forward = vec3d_normalize((Vec3d){turn * across, turn * along, -1});
+    Vec3d up = vec3d_subtract((Vec3d){0, 1, 0}, vec3d_scale(forward, forward.y));
+    camera->direction = forward;
+    camera->up = vec3d_normalize(up);
+    camera->fov = random_unit_double(state) < 0.2 ? 170 : 2 + 80 * random_unit_double(state);
+}
+
+/** @return A room with a camera before it, to be destroyed. */
+static Scene *random_room(uint64_t *state) {
+    const double a = HALF, e = 2 * HALF;
+    Scene *scene = create_empty_scene();
+    room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, 0, e}, (Vec3d){e, 0, 0});
+    room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){e, 0, 0}, (Vec3d){0, e, 0});
+    room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, e, 0}, (Vec3d){0, 0, e});
+    room_quad(scene, state, (Vec3d){a, -a, -a}, (Vec3d){0, 0, e}, (Vec3d){0, e, 0});
+    for (int i = (int)(8 * random_unit_double(state)); i > 0; i--) {
+        room_shape(scene, state);
+    }
+    for (int i = (int)(3 * random_unit_double(state)); i > 0; i--) {
+        room_lamp(scene, state);
+    }
+    scene->sky.horizon = scene->sky.zenith = (Rgbd){0.25, 0.5, 0.75};
+    scene->ambient = (Rgbd){0.125, 0.125, 0.125};
+    scene->camera.position = room_point(state);
+    scene->camera.position.z = HALF + 3 * random_unit_double(state);
+    room_camera_turn(&scene->camera, state);
+    return scene;
+}
+
+/** Traces a grid. @return The rays. */
+static RayCounts trace_room(const Engine *engine, const Scene *scene, OffsetStrategy offset,
+                            const PixelGrid *grid, double *rgb) {
+    Error error = {0};
+    RayCounts counts = {0};
+    const TraceSettings settings = {
+        .depth = 3, .samples = 1, .cutoff = 0.25, .offset = offset, .epsilon = 1e-3};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
+    assert_non_null(tracer);
+    engine->set_view(tracer, scene, 2 * MOST, MOST);
+    engine->trace(tracer, grid, rgb, &counts);
+    engine->destroy(tracer);
+    return counts;
+}
+
+/** @return A part of the picture. */
+static PixelGrid random_grid(uint64_t *state) {
+    return (PixelGrid){.x = (int)(MOST * random_unit_double(state)),
+                       .y = (int)(MOST / 2 * random_unit_double(state)),
+                       .columns = 1 + (int)(MOST * random_unit_double(state)),
+                       .rows = 1 + (int)(MOST * random_unit_double(state)),
+                       .stride = random_unit_double(state) < 0.7 ? 1 : 3,
+                       .sample = (int)(3 * random_unit_double(state))};
+}
+
+/** Draws a room in all engines of a number type. @param first The engine of one lane. */
+static void draw_room(const Engine *first, int room) {
+    static double wanted[3 * MOST * MOST], got[3 * MOST * MOST];
+    uint64_t state = (uint64_t)room;
+    Scene *scene = random_room(&state);
+    const PixelGrid grid = random_grid(&state);
+    const OffsetStrategy offset = room % 8 == 0   ? OFFSET_NONE
+                                  : room % 8 == 1 ? OFFSET_FIXED
+                                                  : OFFSET_BOUND;
+    size_t bytes = 3 * (size_t)grid.columns * (size_t)grid.rows * sizeof *got;
+    RayCounts rays = trace_room(first, scene, offset, &grid, wanted);
+    for (const Engine *const *engine = engine_list(); *engine; engine++) {
+        if (engine_matches_type(*engine, first) && *engine != first) {
+            RayCounts same = trace_room(*engine, scene, offset, &grid, got);
+            if (memcmp(got, wanted, bytes) != 0 || same.shadow != rays.shadow ||
+                same.reflection != rays.reflection) {
+                fail_msg("room %d in %s: another picture than in %s", room, (*engine)->name,
+                         first->name);
+            }
+        }
+    }
+    scene_destroy(scene);
+}
+
+/** Draws all rooms in the engines of a number type. */
+static void draw_rooms(const Engine *first) {
+    if (first->mantissa_bits <= 64) {
+        for (int room = 0; room < ROOMS / WORKLOAD_DIVISOR; room++) {
+            draw_room(first, room);
+        }
+    }
+}
+
+/** Engines of several lanes draw what the textbook's engines draw, to the bit. */
+static void test_rooms(void **state) {
+    (void)state;
+    for_every_type(draw_rooms);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rooms)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -236,6 +236,21 @@ static void test_undo_order(void **state) {
     assert_int_equal(requested().trace.depth, first.trace.depth);
 }
 
+/** Once a setting is changed after an undo, what was undone cannot be done again. */
+static void test_undone_is_forgotten(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const int sphere = scene_object_keyword_find("sphere");
+    const SceneOverride wider = {sphere, 1, scene_object_row_find(sphere, "radius"), {2}};
+    edits_set(app, &wider, false);
+    assert_true(settle());
+    run_and_settle("undo");
+    run_and_settle("deeper");
+    run("redo");
+    assert_status("there is nothing to do again");
+    assert_int_equal(edit_history_in_force(&app->edits), 0);
+}
+
 /** The inspector that appears asks for the frames that show it: its first one finds its size. */
 static void test_inspector_appears(void **state) {
     (void)state;
@@ -322,7 +337,8 @@ static int set_up_many(void **state) {
                            "");
 }
 
-/** Of very many things only those in sight are written. */
+/** Of very many things only those in sight are written; the list stays in a window that becomes
+ *  smaller. */
 static void test_many_things(void **state) {
     (void)state;
     App *app = &opened.app;
@@ -331,10 +347,15 @@ static void test_many_things(void **state) {
         skip();
     }
     gui_record_texts(app->window.gui, true);
-    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    SDL_SetWindowSize(app->window.sdl.window, 800, 600);
     assert_true(settle());
     run("things");
     draw();
+    SDL_SetWindowSize(app->window.sdl.window, 640, 480);
+    assert_true(settle());
+    draw();
+    const GuiRect list = gui_inspector_rect();
+    assert_true(list.height > 100 && list.y + list.height <= 480);
     assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
     assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
     // It leads back to the thing that was chosen.
@@ -793,6 +814,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_undo_choices, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_undo_gesture, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_undo_order, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_undone_is_forgotten, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_shown_settings, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_inspector_appears, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_things, set_up, close_app_window),

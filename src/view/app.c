@@ -255,6 +255,7 @@ void app_choose_ray(App *app, size_t ray) {
 void app_note_choice(App *app, const PictureChoice *before, bool continues) {
     const PictureChoice now = window_choice(&app->window);
     if (!picture_choice_is_same(before, &now, &app->window.base_settings)) {
+        edit_history_forget_undone(&app->edits);
         view_history_note_choice(&app->moves, before, edit_history_in_force(&app->edits),
                                  continues);
     }

@@ -82,6 +82,7 @@ struct Gui {
     bool is_inspecting;       /**< Whether this frame shows the inspector. */
     bool has_bar;             /**< Whether it shows the bar. */
     ImRect inspector;         /**< Where, if so. */
+    float inspector_room;     /**< Its greatest height when it was shown last, pixels. */
     bool is_number_chosen;    /**< Whether keys have chosen a number, which Enter lets type. */
     bool has_text_input;      /**< Whether the system is asked for letters. */
     SDL_Scancode plain_key;   /**< The last key that went down without Shift and its like; unknown:

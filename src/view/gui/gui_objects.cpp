@@ -102,14 +102,13 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
                          const GuiInspectorPlace *place) {
     const ImGuiIO &io = ImGui::GetIO();
     float size = ImGui::GetFontSize(), width = fminf(INSPECTOR_WIDTH * size, io.DisplaySize.x);
-    const float top = place->top;
+    const float top = place->top, room = fmaxf(4 * size, io.DisplaySize.y - top);
     char label[INSPECTOR_TITLE_SIZE];
     bool is_open = true;
     snprintf(label, sizeof label, "%s###%s", title, id);
     Gui *gui = current_gui();
     place_inspector(gui, place, width);
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0),
-                                        ImVec2(width, fmaxf(4 * size, io.DisplaySize.y - top)));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, room));
     ImGui::SetNextWindowBgAlpha(INSPECTOR_ALPHA);
     focus_next_window(GUI_INSPECTOR);
     ImGui::Begin(label, &is_open,
@@ -125,10 +124,14 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
     gui->takes_focus = gui->takes_focus || (place->is_new && gui->keyboard == GUI_INSPECTOR);
     choose_first_widget(GUI_INSPECTOR);
     gui->is_inspecting = true;
-    // The window may have become smaller, or the letters larger.
-    ImVec2 corner = ImGui::GetWindowPos();
+    // The window may have become smaller, or the letters larger: then it is whole again.
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float lowest = room != gui->inspector_room
+                             ? fmaxf(top, io.DisplaySize.y - ImGui::GetWindowHeight())
+                             : io.DisplaySize.y - 2 * size;
+    gui->inspector_room = room;
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
-                               fmaxf(0, fminf(corner.y, io.DisplaySize.y - 2 * size))));
+                               fmaxf(0, fminf(corner.y, lowest))));
     ImGui::PushItemWidth(INSPECTOR_WIDGET_WIDTH * size);
     return is_open;
 }

@@ -54,9 +54,13 @@ static Edit *find_in_group(EditHistory *history, const SceneOverride *field) {
     return NULL;
 }
 
+void edit_history_forget_undone(EditHistory *history) {
+    history->count = history->done;
+}
+
 bool edit_history_add(EditHistory *history, const SceneOverride *override, bool continues,
                       Error *error) {
-    history->count = history->done;
+    edit_history_forget_undone(history);
     continues = continues && history->done > history->base_count;
     Edit *earlier = continues ? find_in_group(history, override) : NULL;
     if (earlier) {

@@ -46,6 +46,9 @@ void edit_history_clear(EditHistory *history);
 bool edit_history_add(EditHistory *history, const SceneOverride *override, bool continues,
                       Error *error);
 
+/** Forgets the edits that are undone: something else was changed. */
+void edit_history_forget_undone(EditHistory *history);
+
 /** Takes the last group of edits back. @return false if there is none. */
 bool edit_history_undo(EditHistory *history);
 

@@ -7,7 +7,6 @@
 #include "no_thumbnails.h"
 
 #include "view/gui/typeface.h"
-#include "view/window_internal.h"
 
 /** A scene with two lights, glass, a mirror and a field that is marched to. */
 static const char SCENE[] =
@@ -684,24 +683,6 @@ static void press(SDL_Keycode key) {
     }
 }
 
-/** A key takes the readout away once the mouse has rested for some seconds; motion brings it back,
- *  and the magnifier keeps it. */
-static void test_readout_of_resting_mouse(void **state) {
-    (void)state;
-    Window *window = &opened.app.window;
-    SDL_Event motion = {.motion = {.type = SDL_MOUSEMOTION, .x = 20, .y = 20}};
-    input_handle_event(&opened.app, &motion);
-    press(SDLK_3);
-    assert_false(window->is_mouse_left); // Just moved.
-    window->mouse_time -= 6;
-    press(SDLK_1);
-    assert_true(window->is_mouse_left);
-    window_read_pixel(window);
-    assert_false(window->readout.is_shown);
-    input_handle_event(&opened.app, &motion);
-    assert_false(window->is_mouse_left);
-}
-
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
  *  there again. */
 static void test_help_over_list(void **state) {
@@ -829,7 +810,6 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
-        cmocka_unit_test_setup_teardown(test_readout_of_resting_mouse, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),

@@ -102,8 +102,6 @@ typedef struct Window {
     ObjectInspector object_inspector;  /**< The selected object. */
     Magnifier magnifier;               /**< Some pixels as squares. */
     Readout readout;                   /**< What one of them shows. */
-    double mouse_time;                 /**< When the mouse was used last, seconds; 0: never. */
-    bool is_mouse_left;                /**< Whether keys are used since, not the mouse. */
     SettingsChartPanel settings_chart; /**< Time against error of the settings tried. */
     Toast toast;                       /**< The newest message. */
     Toast hint;                        /**< What to press, at the start. */
@@ -270,12 +268,6 @@ void window_set_state(Window *window, const WindowState *state);
 
 /** Takes the hint away: the user has begun. */
 void window_end_hint(Window *window);
-
-/** The mouse is used. */
-void window_on_mouse(Window *window);
-
-/** A key goes down: what is under a mouse that rests for long is not said any more. */
-void window_on_key(Window *window);
 
 /** Takes the message on the picture away. */
 void window_end_toast(Window *window);

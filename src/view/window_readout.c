@@ -12,21 +12,6 @@ static const float REACH = 1;
 /** The same until it comes back: it does not go to and fro. */
 static const float REACH_BACK = 3;
 
-/** Seconds without the mouse after which a key takes the readout away, until the mouse moves. */
-static const double MOUSE_REST = 5;
-
-void window_on_mouse(Window *window) {
-    window->mouse_time = clock_now_seconds();
-    window->is_mouse_left = false;
-}
-
-void window_on_key(Window *window) {
-    if (!window->is_mouse_left && clock_now_seconds() - window->mouse_time > MOUSE_REST) {
-        window->is_mouse_left = true;
-        window_present(window);
-    }
-}
-
 /* --- which pixel ------------------------------------------------------------------------------ */
 
 bool window_picture_is_shown(const Window *window) {
@@ -87,8 +72,7 @@ static bool read_pixels(const Window *window, int x, int y, PixelReadout *readou
 static bool is_readout_wanted(const Window *window) {
     // It would cover a part of what a question is about.
     bool is_in_the_way = window->toolbar.is_folded || window->lesson_panel.is_asking;
-    return (window->magnifier.is_on || !(is_in_the_way || window->is_mouse_left)) &&
-           window->hint.text[0] == '\0';
+    return (window->magnifier.is_on || !is_in_the_way) && window->hint.text[0] == '\0';
 }
 
 /* --- where it lies ---------------------------------------------------------------------------- */

@@ -156,12 +156,6 @@ static bool handle_widget_event(App *app, const SDL_Event *event) {
     if (event->type == SDL_MOUSEBUTTONDOWN || event->type == SDL_KEYDOWN) {
         window_end_hint(&app->window);
     }
-    if (event->type == SDL_KEYDOWN) {
-        window_on_key(&app->window);
-    } else if (event->type == SDL_MOUSEMOTION || event->type == SDL_MOUSEBUTTONDOWN ||
-               event->type == SDL_MOUSEWHEEL) {
-        window_on_mouse(&app->window);
-    }
     if (event->type == SDL_MOUSEBUTTONDOWN) {
         window_present(&app->window); // The widgets learn where the mouse is.
     }

@@ -464,7 +464,7 @@ static void test_tooltips(void **state) {
             assert_false(earlier && strcmp(earlier, sentence) == 0);
         }
     }
-    assert_int_equal(count, 37);
+    assert_int_equal(count, 38);
     assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");
@@ -921,6 +921,13 @@ static void test_title(void **state) {
     title_write(&content, title);
     assert_string_equal(title, "box — 800×600, pass 1 px, 6 samples, 12.3 ms, 85 Mrays/s, finished"
                                " — light 2 of 3 — saved x.bmp");
+    // Where there is little room the message is whole, and not what the picture costs.
+    content.room = 60;
+    title_write(&content, title);
+    assert_string_equal(title, "box — 800×600, pass 1 px, finished — light 2 of 3 — saved x.bmp");
+    content.room = 120;
+    title_write(&content, title);
+    assert_non_null(strstr(title, "85 Mrays/s"));
     report.rays.unresolved = 60000;
     content.status_text = "";
     title_write(&content, title);
@@ -1149,11 +1156,12 @@ static void test_legend(void **state) {
     assert_true(rays.has_bar && rays.entry_count == 5);
     Legend error = legend_of(scene, LAYER_ERROR, 0, 1, false);
     assert_string_equal(error.notes[0], "so far, off by over a step: 3 (0.3 %)");
-    assert_string_equal(error.notes[1], "reference f128x1: 25 % of the pixels, 40 % of the work");
+    assert_string_equal(error.notes[1],
+                        "reference quad (f128x1): 25 % of the pixels, 40 % of the work");
     assert_string_equal(error.notes[2], "2 places have rings");
     error = legend_of(scene, LAYER_ERROR, 0, 1, true);
     assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
-    assert_string_equal(error.notes[1], "reference: f128x1");
+    assert_string_equal(error.notes[1], "reference: quad (f128x1)");
     Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
     assert_false(steps.has_bar);
     assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");

@@ -34,7 +34,7 @@ GLASS_ELSEWHERE_BAR=5
 SOFT_ELSEWHERE_BAR=5 # Shadows without an outline.
 
 # Checksum of box.lua, without comments and spaces, that the peers' scenes were copied from.
-COPIED_FROM=377351294
+COPIED_FROM=3443134196
 
 # Says so when box.lua is no longer what the peers' scenes were copied from.
 check_scene() {

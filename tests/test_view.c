@@ -285,13 +285,13 @@ static void test_keyboard_labels(void **state) {
     (void)state;
     const Help help = {.commands = command_table};
     assert_string_equal(row_at(SDL_SCANCODE_W)->name, "light up");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 2);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_W)), 3);
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_W)), "up");
     assert_null(row_at(SDL_SCANCODE_F3));
     assert_string_equal(key_action_label(NULL), "");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_LSHIFT)), "fast");
     assert_string_equal(key_action_label(row_at(SDL_SCANCODE_RCTRL)), "fine");
-    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 9);
+    assert_int_equal(help_group(&help, row_at(SDL_SCANCODE_LSHIFT)), 10);
     assert_string_equal(key_cap_label(SDL_SCANCODE_LEFT), "←");
 }
 
@@ -1100,7 +1100,7 @@ static void test_readout(void **state) {
                             .readings = {{.rgb = {1, 2, 3}, .shape = 5, .distance = 2}},
                             .count = 1};
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "pixel 3 4 under the mouse, sphere (line 35 of the scene), "
+    assert_string_equal(text, "pixel (3, 4) under the mouse, sphere (line 35 of the scene), "
                               "colour 1 2 3 of 255");
     readout.samples = 16;
     pixel_readout_write(&readout, text);
@@ -1111,7 +1111,7 @@ static void test_readout(void **state) {
     readout.count = 2;
     readout.is_magnified = true;
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "pixel 3 4 in the magnifier, sphere (line 35 of the scene)\n"
+    assert_string_equal(text, "pixel (3, 4) in the magnifier, sphere (line 35 of the scene)\n"
                               "left: distance: 2 scene units\nright: distance: 2.5 scene units\n"
                               "left minus right: −0.5 scene units");
     readout.readings[1].layer = LAYER_RAYS;

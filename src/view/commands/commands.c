@@ -33,6 +33,8 @@
 
 /** Heading of the help: what else can be seen. */
 #define SCENES .group = N_("Scenes and lessons")
+/** Heading of the help: what the mouse does in the picture, and fingers. */
+#define MOUSE .group = N_("Mouse, in the picture")
 /** Heading of the help: keys of the lights. */
 #define LIGHT .group = N_("Light")
 /** Heading of the help: keys of the camera. */
@@ -75,6 +77,14 @@ const Command command_table[] = {
     {"record", {KEY(r)}, N_("record"), SCENES, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(action_toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), SCENES, .help = N_("type words for the lesson recorded"), .flags = COMMAND_UNRECORDED, RUNS(action_begin_caption, 0)},
 
+    {NULL, {NO_KEY(N_("Drag"))}, NULL, MOUSE, .help = N_("look around from where the camera is")},
+    {NULL, {NO_KEY(N_("Drag a lamp"))}, NULL, MOUSE, .help = N_("or the selected thing (Shift: away, nearer)")},
+    {NULL, {NO_KEY(N_("Click"))}, NULL, MOUSE, .help = N_("select a thing: all its values")},
+    {NULL, {NO_KEY(N_("Right button"))}, NULL, MOUSE, .help = N_("orbit around the point there (or Alt and drag)")},
+    {NULL, {NO_KEY(N_("Middle button"))}, NULL, MOUSE, .help = N_("camera sideways (or Shift and right button)")},
+    {NULL, {NO_KEY(N_("Wheel"))}, NULL, MOUSE, .help = N_("field of view: narrower, wider")},
+    {NULL, {NO_KEY(N_("Two fingers"))}, NULL, MOUSE, .help = N_("camera sideways; spread: field of view")},
+
     {"light up", {PLACE(W, z)}, N_("up"), LIGHT, .help = N_("lamp up, down"), MOVES(LIGHT, UP, 1)},
     {"light down", {PLACE(S, s)}, N_("down"), LIGHT, .help = N_("lamp up, down"), MOVES(LIGHT, UP, -1)},
     {"light left", {PLACE(A, q)}, N_("left"), LIGHT, .help = N_("lamp left, right"), MOVES(LIGHT, RIGHT, -1)},
@@ -91,8 +101,6 @@ const Command command_table[] = {
     {"camera forward", {NAMED(PAGEUP, N_("Page Up"))}, N_("forward"), CAMERA, .help = N_("camera forward, back"), MOVES(CAMERA, FORWARD, 1)},
     {"camera back", {NAMED(PAGEDOWN, N_("Page Down"))}, N_("back"), CAMERA, .help = N_("camera forward, back"), MOVES(CAMERA, FORWARD, -1)},
     {"walk", {NAMED(END, N_("End"))}, N_("walk"), CAMERA, .help = N_("camera: walk at one height, or fly"), RUNS(action_toggle_walking, 0)},
-    {NULL, {NO_KEY(N_("Mouse drag"))}, NULL, CAMERA, .help = N_("look around from where the camera is")},
-    {NULL, {NO_KEY(N_("Wheel"))}, NULL, CAMERA, .help = N_("field of view: narrower, wider")},
 
     {"time", {NAMED(SPACE, N_("Space"))}, NULL, TIME, .help = N_("run or hold the scene's time"), RUNS(action_toggle_time, 0)},
     {"time back", {PLACE(COMMA, COMMA)}, N_("back"), TIME, .help = N_("the scene's time: a step back, on"), .flags = COMMAND_REPEATS, RUNS(action_step_time, -1)},
@@ -136,7 +144,6 @@ const Command command_table[] = {
     {"bar left", {KEY(F6)}, N_("bar ←"), PICTURE, .help = N_("bar between two pictures: left, right"), .flags = COMMAND_REPEATS, RUNS(action_move_bar, -1)},
     {"bar right", {KEY(F7)}, N_("bar →"), PICTURE, .help = N_("bar between two pictures: left, right"), .flags = COMMAND_REPEATS, RUNS(action_move_bar, 1)},
 
-    {NULL, {NO_KEY(N_("Click"))}, NULL, OBJECTS, .help = N_("select a thing: all its values")},
     {"next thing", {KEY(F3)}, N_("thing"), OBJECTS, .help = N_("select the next thing (Shift: before)"), .flags = COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, 1)},
     {"thing before", {KEY(F3)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, -1)},
     {"inspector keys", {KEY(F10)}, N_("edit"), OBJECTS, .help = N_("its values by keys: arrows; Esc: back"), .flags = COMMAND_UNRECORDED, RUNS(action_take_keyboard, 0)},

@@ -91,7 +91,7 @@ static bool is_asked_again(const LessonPanel *panel) {
 }
 
 const char *lesson_panel_state(const LessonPanel *panel) {
-    return gettext(is_asked_again(panel)      ? N_("Once more: what do you predict now?")
+    return gettext(is_asked_again(panel)      ? N_("Same question: what do you predict now?")
                    : panel->is_asking         ? N_("What do you predict?")
                    : panel->is_waiting        ? N_("go on (Space)")
                    : panel->is_before_verdict ? N_("the answer (Space)")

@@ -94,8 +94,8 @@ void pixel_readout_difference(const PixelReading readings[READOUT_PICTURES],
 void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
     text[0] = '\0';
     append(text,
-           readout->is_magnified ? gettext("pixel %d %d in the magnifier")
-                                 : gettext("pixel %d %d under the mouse"),
+           readout->is_magnified ? gettext("pixel (%d, %d) in the magnifier")
+                                 : gettext("pixel (%d, %d) under the mouse"),
            readout->x, readout->y);
     append_shape(readout, text);
     if (readout->count == 1) {

@@ -87,12 +87,14 @@ holds "$work/out" '^reflections +[0-9]+ mirrors?, [0-9]+ glass shapes?, depth [0
 expect 0 '' 'info json' "$dioptre" info "$box" --json --engine f64x1
 holds "$work/out" '"engine": "f64x1".*"left_out": \[' 'info json names engine and what is left out'
 holds "$work/out" '"bvh": \{"in_bvh": 0, "linear": 8, "threshold": 24\}' 'info json says why there is no tree'
-# Light that goes to and fro between panes: said before the picture is drawn, and counted afterwards.
+# Light that goes to and fro between balls: said before the picture is drawn, and counted afterwards.
 expect 0 'some .* will lack light.*of the camera rays lack light' 'render says beforehand that light will be missing' \
-    sh -c '"$1" render tests/scenes/five-panes.lua -s 64x48 -o "$2" 2>&1 | tr "\n" " " >&2' - "$dioptre" "$work/panes.bmp"
-expect 0 '' 'info of panes' "$dioptre" info tests/scenes/five-panes.lua -s 64x48
+    sh -c '"$1" render tests/scenes/half-mirrors.lua -s 64x48 -o "$2" 2>&1 | tr "\n" " " >&2' - "$dioptre" "$work/panes.bmp"
+expect 0 '' 'info of balls' "$dioptre" info tests/scenes/half-mirrors.lua -s 64x48
 holds "$work/out" '^missing light +[1-9][0-9]* of [0-9]+ camera rays lack more than the cutoff, at most [0-9.]+ steps$' 'info says what light will be missing'
-expect 0 '' 'render of a box says nothing of the kind' "$dioptre" render "$box" -s 64x48 -o "$work/panes.bmp"
+for scene in "$box" tests/scenes/five-panes.lua; do
+    expect 0 '' "render of $scene says nothing of the kind" "$dioptre" render "$scene" -s 64x48 -o "$work/panes.bmp"
+done
 for normals in smooth flat; do
     printf '%s\n' 'camera { position = {0, 0, 4} }' "mesh { file = \"spot-low.obj\", normals = \"$normals\"," \
         'material = material { transparency = 1, ior = 1.5 } }' >"$work/$normals.lua"

@@ -60,10 +60,17 @@ static void test_joins(void **state) {
     run_check(COMPACTION_JOINS);
 }
 
+/** @param state Not used. */
+static void test_merges(void **state) {
+    (void)state;
+    run_check(COMPACTION_MERGES);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_patterns), cmocka_unit_test(test_streams),
-        cmocka_unit_test(test_packets), cmocka_unit_test(test_joins)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_patterns),
+                                       cmocka_unit_test(test_streams),
+                                       cmocka_unit_test(test_packets), cmocka_unit_test(test_joins),
+                                       cmocka_unit_test(test_merges)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

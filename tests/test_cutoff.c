@@ -360,7 +360,8 @@ static void test_parted_colors(void **state) {
     double rgb[3], alone[3];
     RayCounts counts = trace_picture(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, 1, 1, rgb);
     print_message("rays of colours that part: %d\n", (int)(counts.reflection + counts.refraction));
-    assert_true(counts.reflection + counts.refraction < 10000); // Not some 2^24.
+    // The passes and the merged rays, whose number is bounded: not some 2^24.
+    assert_true(counts.reflection + counts.refraction < 6 * RAYS_PER_SAMPLE_MAXIMUM);
     trace_recursively(engine, scene, (TraceLimits){24, CUTOFF_DEFAULT}, alone);
     assert_memory_equal(rgb, alone, sizeof rgb);
     scene_destroy(scene);

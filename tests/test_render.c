@@ -217,7 +217,7 @@ static RayCounts forecast_of(const char *path, int width, int height) {
 /** A forecast finds that light will be missing, also of small pictures, and in no simple one. */
 static void test_forecast_of_light(void **state) {
     (void)state;
-    RayCounts small = forecast_of("tests/scenes/five-panes.lua", 64, 48);
+    RayCounts small = forecast_of("tests/scenes/half-mirrors.lua", 64, 48);
     assert_true(small.unresolved > 0 && small.unresolved_steps > 0.25);
     assert_true(small.camera >= 500 && small.camera <= 64 * 48);
     RayCounts large = forecast_of("scenes/box.lua", 803, 601);

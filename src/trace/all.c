@@ -9,6 +9,7 @@
 // The recursion: camera rays, hits, direct light, reflection, refraction.
 #include "trace/tracer/camera.c"
 #include "trace/tracer/loss_budget.c"
+#include "trace/tracer/merged_rays.c"
 #include "trace/tracer/packet.c"
 #include "trace/tracer/path_nodes.c"
 #include "trace/tracer/plain_packet.c"

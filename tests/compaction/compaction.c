@@ -5,7 +5,7 @@
  */
 #include "compaction.h"
 
-#include "trace/tracer/ray_queue.h"
+#include "trace/tracer/ray_merge.h"
 
 /** What the rooms of columns hold that nothing was stored in. */
 #define UNTOUCHED 7777
@@ -222,8 +222,105 @@ static CompactionFault check_joins(uint64_t seed) {
     return fault;
 }
 
+/** The rays of a group, near each other. */
+typedef enum MergeVariant {
+    MERGE_BASE,          /**< A ray. */
+    MERGE_NEAR,          /**< A heavier one that nearly coincides with it. */
+    MERGE_OTHER_START,   /**< This and the next start or go elsewhere, */
+    MERGE_OTHER_WAY,     /**< or have another history: they coincide with none. */
+    MERGE_OTHER_TURNS,   /**< See there. */
+    MERGE_OTHER_SHAPE,   /**< See there. */
+    MERGE_HEAVY,         /**< This and the next coincide, but weigh too much. */
+    MERGE_HEAVY_AGAIN,   /**< See there. */
+    MERGE_VARIANT_COUNT, /**< How many there are. */
+    MERGE_KEPT_COUNT = MERGE_VARIANT_COUNT - 1 /**< How many are left. */
+} MergeVariant;
+
+/** Groups of rays, far apart. */
+enum { MERGE_GROUPS = 2000, MERGE_RAYS = MERGE_GROUPS * MERGE_VARIANT_COUNT };
+/** Which rays are merged. */
+static const MergeLimits merge_limits = {1.0 / 16, 1.0 / 16, (scalar)50, INTERIORS};
+/** How far apart the rays of a group are that nearly coincide, and those that do not. */
+static const scalar merge_near = (scalar)(1.0 / 64), merge_far = (scalar)(1.0 / 8);
+
+/** @return A ray of a group, in all lanes. */
+static RayVector merge_ray(int group, MergeVariant variant) {
+    const scalar throughputs[MERGE_VARIANT_COUNT] = {1, 2, 1, 1, 1, 1, 100, 100};
+    RayVector rays = {.turns = integer_of(3 + (variant == MERGE_OTHER_TURNS))};
+    rays.numbers[RAY_COLUMN_ORIGIN][0] =
+        real_of((scalar)group + (variant == MERGE_NEAR ? merge_near : 0));
+    rays.numbers[RAY_COLUMN_ORIGIN][1] = real_of(variant == MERGE_OTHER_START ? merge_far : 0);
+    rays.numbers[RAY_COLUMN_DIRECTION][2] = real_of(variant == MERGE_OTHER_WAY ? 1 - merge_far : 1);
+    for (int i = 0; i < 3; i++) {
+        rays.numbers[RAY_COLUMN_THROUGHPUT][i] = real_of(throughputs[variant]);
+    }
+    rays.interior = interior_list_empty();
+    rays.interior.shapes[INTERIORS - 1] = integer_of(variant == MERGE_OTHER_SHAPE ? 7 : -1);
+    return rays;
+}
+
+/** Queues the rays of all groups in any order. */
+static void merge_rays_queue(uint64_t seed, RayQueue *queue) {
+    int order[MERGE_RAYS];
+    for (int i = 0; i < MERGE_RAYS; i++) {
+        // Fisher and Yates's shuffle.
+        int other = (int)(random_bits(&seed) % (unsigned)(i + 1));
+        order[i] = order[other];
+        order[other] = i;
+    }
+    for (int i = 0; i < MERGE_RAYS; i++) {
+        RayVector rays = merge_ray(order[i] / MERGE_VARIANT_COUNT,
+                                   (MergeVariant)(order[i] % MERGE_VARIANT_COUNT));
+        ray_queue_add(queue, 1, &rays, INTERIORS);
+    }
+}
+
+/** Checks rays that were merged. */
+static CompactionFault check_merged(const RayQueue *level, const MergeCounts *counts) {
+    unsigned whole = 0, heavy = 0;
+    if (level->count != MERGE_GROUPS * MERGE_KEPT_COUNT || counts->merged != MERGE_GROUPS ||
+        counts->light != MERGE_GROUPS * (MERGE_VARIANT_COUNT - 2)) {
+        return (CompactionFault){"the number of merged rays", counts->merged, level->count};
+    }
+    for (unsigned i = 0; i < level->count; i++) {
+        RayVector rays = ray_columns_load(level->columns, RAY_COLUMN_FIRST + i, INTERIORS);
+        scalar throughput = real_lane(rays.numbers[RAY_COLUMN_THROUGHPUT][1], 0);
+        scalar x = real_lane(rays.numbers[RAY_COLUMN_ORIGIN][0], 0);
+        bool is_near = x - (scalar)(int)x == merge_near;
+        if (is_near != (throughput == 3)) {
+            return (CompactionFault){"a merged ray", 0, i};
+        }
+        whole += is_near;
+        heavy += throughput == 100;
+    }
+    return whole == MERGE_GROUPS && heavy == 2 * MERGE_GROUPS
+               ? none
+               : (CompactionFault){"the throughput of merged rays", heavy, whole};
+}
+
+static CompactionFault check_merges(uint64_t seed) {
+    static MergeTable table;
+    RayQueue queues[CHILD_COUNT];
+    CompactionFault fault = none;
+    if (!ray_queues_init(queues)) {
+        return (CompactionFault){"memory", 0, 0};
+    }
+    // Several levels: what the table had before is forgotten.
+    for (int level = 0; level < 4 && !fault.what; level++) {
+        MergeCounts counts = {0};
+        ray_queues_clear(queues);
+        merge_rays_queue(seed + (uint64_t)level, &queues[0]);
+        merge_begin_level(&table, &queues[1]);
+        ray_queue_merge(&table, &merge_limits, &queues[0], &queues[1], &counts);
+        fault = check_merged(&queues[1], &counts);
+    }
+    ray_queues_deinit(queues);
+    return fault;
+}
+
 extern const CompactionChecks CHECKS;
 const CompactionChecks CHECKS = {{[COMPACTION_PATTERNS] = check_patterns,
                                   [COMPACTION_STREAMS] = check_streams,
                                   [COMPACTION_PACKETS] = check_packets,
-                                  [COMPACTION_JOINS] = check_joins}};
+                                  [COMPACTION_JOINS] = check_joins,
+                                  [COMPACTION_MERGES] = check_merges}};

@@ -24,6 +24,8 @@ typedef enum CompactionCheck {
     COMPACTION_PACKETS,  /**< Packets of 1 to PACKET_RAYS queued rays: each ray once, and unused
                             lanes  safe to compute with. */
     COMPACTION_JOINS,    /**< The last rays of a queue before the first of another. */
+    COMPACTION_MERGES,   /**< Rays that coincide become one, with all their throughput; rays that
+                              differ in anything, or weigh much, stay. */
     COMPACTION_CHECK_COUNT
 } CompactionCheck;
 

@@ -11,25 +11,13 @@
 #ifndef DIOPTRE_TRACE_MATH_SOBOL_H
 #define DIOPTRE_TRACE_MATH_SOBOL_H
 
-#include <stdint.h>
+#include "trace/math/hash.h"
 
 /** A point of the unit square, in units of 2^-32. */
 typedef struct SobolPoint {
     uint32_t x; /**< From the left. */
     uint32_t y; /**< From the bottom. */
 } SobolPoint;
-
-/** @return A bijective hash (Wellons, *Prospecting for Hash Functions*, 2018). */
-static inline uint32_t hash_u32(uint32_t x) {
-    x = (x ^ x >> 16) * 0x21F0AAADu;
-    x = (x ^ x >> 15) * 0xD35A2D97u;
-    return x ^ x >> 15;
-}
-
-/** @return A hash of two numbers. */
-static inline uint32_t hash_combine_u32(uint32_t a, uint32_t b) {
-    return hash_u32(a ^ hash_u32(b + 0x9E3779B9u));
-}
 
 /** @return The bits in reverse order. */
 static inline uint32_t reverse_bits_u32(uint32_t x) {

@@ -4,6 +4,8 @@
  */
 #include "trace/tracer/path_hash.h"
 
+#include "trace/math/hash.h"
+
 /** Quantization steps per unit of a normal's component, or of a transmittance. With
  *  #QUANTIZE_OFFSET, no step is at a value that is common in scenes, such as 0 or 1. */
 #define QUANTIZE_SCALE 3.71
@@ -15,14 +17,6 @@
 static uint64_t quantize(scalar x) {
     double level = (double)x * QUANTIZE_SCALE + QUANTIZE_OFFSET;
     return level > 0 && level < 16 ? (uint64_t)level : 15;
-}
-
-/** Adds an event to a path hash. */
-static void path_hash_add(uint64_t *path_hash, uint64_t event) {
-    // Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014: splitmix64.
-    uint64_t z = (*path_hash + event + 1) * 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    *path_hash = z ^ (z >> 31);
 }
 
 /** @return Three numbers of a lane, quantized. */
@@ -44,7 +38,8 @@ void path_hash_add_surfaces(const SurfaceHit *surface) {
             uint64_t shape = (uint64_t)integer_lane(surface->hits[i / LANES].shape, lane) + 1;
             event |= shape << 12 | quantize_lanes(normal->x, normal->y, normal->z, lane);
         }
-        path_hash_add(&context->recorders->path_hashes[i], event);
+        uint64_t *path_hash = &context->recorders->path_hashes[i];
+        *path_hash = hash_combine_u64(*path_hash, event);
     }
 }
 
@@ -61,6 +56,7 @@ void path_hash_add_shadows(const SurfaceHit *surface, const Packet *shadow, cons
             event |= quantize_lanes(transmittance[v].red, transmittance[v].green,
                                     transmittance[v].blue, lane);
         }
-        path_hash_add(&surface->packet->context.recorders->path_hashes[i], event);
+        uint64_t *path_hash = &surface->packet->context.recorders->path_hashes[i];
+        *path_hash = hash_combine_u64(*path_hash, event);
     }
 }

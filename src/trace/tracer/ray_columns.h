@@ -43,6 +43,23 @@ typedef struct RayVector {
     InteriorList interior;                   /**< See #RayColumns. */
 } RayVector;
 
+/** @return Number of columns of #RayColumns.interior that the rays of a scene use. */
+static inline int ray_columns_interior_count(const Dielectrics *dielectrics) {
+    size_t shapes = dielectrics->transparent.count;
+    return shapes < INTERIOR_LIST_CAPACITY ? (int)shapes : INTERIOR_LIST_CAPACITY;
+}
+
+/** @return A vector of rays for columns, without weight, parent and sample. */
+INLINE RayVector ray_vector_of_state(const RayState *rays, int v) {
+    const Vec3 *origin = &rays->packet.rays[v].origin, *direction = &rays->packet.rays[v].direction;
+    const Rgb *throughput = &rays->throughput[v];
+    return (RayVector){.numbers = {{origin->x, origin->y, origin->z},
+                                   {direction->x, direction->y, direction->z},
+                                   {throughput->red, throughput->green, throughput->blue}},
+                       .turns = rays->turns[v],
+                       .interior = rays->interior[v]};
+}
+
 /** Stores chosen rays one after another. @param first Place of the first. @param bits The lanes.
  *  @param interior_count Number of columns of #RayColumns.interior that are used. */
 INLINE void ray_columns_store(RayColumns *columns, unsigned first, unsigned bits,

@@ -169,14 +169,67 @@ static __attribute__((noinline)) void retrace(const Tracer *tracer, scalar cutof
     results_replace(lanes, new_colors, &new_losses, colors, losses);
 }
 
-/** Counts the rays of a packet that still lack too much light, and gives them an estimate of it. */
-static __attribute__((noinline)) void settle_losses(const Tracer *tracer, const RayState *rays,
-                                                    const Losses *losses, Rgb *colors,
-                                                    RayCounts *counts) {
+/** Replaces the colour and losses of a ray by those of merged rays, if less is lost there. */
+static void merged_light_use(const MergedLight *light, int index, Rgb *colors, Losses *losses) {
+    const int v = index / LANES, lane = index % LANES;
+    real *const color[3] = {&colors[v].red, &colors[v].green, &colors[v].blue};
+    Rgb *dropped = &losses->dropped[v], *guarded = &losses->guarded[v];
+    real *const dropped_channels[3] = {&dropped->red, &dropped->green, &dropped->blue},
+                *const guarded_channels[3] = {&guarded->red, &guarded->green, &guarded->blue};
+    scalar before = real_lane(rgb_max(lost_throughput(losses, v)), lane), after = 0;
+    for (int i = 0; i < 3; i++) {
+        scalar lost = light->dropped[i] + light->guarded[i];
+        after = lost > after ? lost : after;
+    }
+    for (int i = 0; i < 3 && after < before; i++) {
+        real_set_lane(color[i], lane, light->color[i]);
+        real_set_lane(dropped_channels[i], lane, light->dropped[i]);
+        real_set_lane(guarded_channels[i], lane, light->guarded[i]);
+    }
+}
+
+/** Traces rays once more, one by one, with merged rays below. @param open Those that lack too much
+ *  light. */
+static __attribute__((noinline)) void merge_open_rays(const Tracer *tracer, Wavefront *wavefront,
+                                                      const RayState *rays, const mask *open,
+                                                      Rgb *colors, Losses *losses,
+                                                      RayCounts *counts) {
+    const MergeMemory memory = wavefront_merge_memory(wavefront);
+    for (int i = 0; i < PACKET_RAYS; i++) {
+        MergedLight light;
+        if (mask_lane(open[i / LANES], i % LANES) &&
+            trace_merged_rays(tracer, &memory, rays, i, counts, &light)) {
+            merged_light_use(&light, i, colors, losses);
+        }
+    }
+}
+
+/** Finds the light that rays still lack by merged rays, or estimates and counts it. @param
+ *  wavefront Memory; NULL: rays are not merged. */
+static __attribute__((noinline)) void settle_losses(const Tracer *tracer, Wavefront *wavefront,
+                                                    const RayState *rays, Losses *losses,
+                                                    Rgb *colors, RayCounts *counts) {
     mask open[PACKET_VECTORS];
-    if (find_open_rays(tracer, rays, colors, losses, open)) {
+    bool is_any_open = find_open_rays(tracer, rays, colors, losses, open);
+    if (is_any_open && wavefront && tracer->loss_budget.cutoff > 0) {
+        merge_open_rays(tracer, wavefront, rays, open, colors, losses, counts);
+        is_any_open = find_open_rays(tracer, rays, colors, losses, open);
+    }
+    if (is_any_open) {
         count_unresolved(tracer, open, colors, losses, counts);
         add_missing_light(open, losses, colors);
+    }
+}
+
+/** Does what settle_losses() does, with memory from the tracer's pool. A ray tree shows the rays of
+ *  the last pass, so its rays are not merged. */
+static void settle_recorded_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
+                                   Rgb *colors, RayCounts *counts) {
+    bool has_memory = tracer->wavefronts && !sample_context_ray_tree(&rays->packet.context);
+    Wavefront *wavefront = has_memory ? wavefront_pool_take(tracer->wavefronts) : NULL;
+    settle_losses(tracer, wavefront, rays, losses, colors, counts);
+    if (wavefront) {
+        wavefront_pool_give_back(tracer->wavefronts, wavefront);
     }
 }
 
@@ -212,7 +265,7 @@ void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCou
     if (may_lose && !tracer->methods && losses_are_any(rays, &losses)) {
         retrace_open_rays(tracer, tracer->loss_budget.throughput, &first_counts, rays, colors,
                           &losses, counts);
-        settle_losses(tracer, rays, &losses, colors, counts);
+        settle_recorded_losses(tracer, rays, &losses, colors, counts);
     }
 }
 
@@ -349,6 +402,7 @@ void trace_camera_packets(const Tracer *tracer, Wavefront *wavefront, CameraPack
     }
     camera_group_trace(&group, tracer->loss_budget.throughput);
     for (int p = 0; p < count; p++) {
-        settle_losses(tracer, packets[p].rays, &packets[p].losses, packets[p].colors, counts);
+        settle_losses(tracer, wavefront, packets[p].rays, &packets[p].losses, packets[p].colors,
+                      counts);
     }
 }

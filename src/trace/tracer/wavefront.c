@@ -4,8 +4,6 @@
  */
 #include "trace/tracer/wavefront.h"
 
-#include "trace/tracer/ray_queue.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,6 +29,7 @@ struct Wavefront {
     unsigned root_lanes[WAVEFRONT_PACKETS][PACKET_VECTORS]; /**< Lanes of camera rays at whose
                                                                  surfaces rays start, as bits: the
                                                                  others need no node. */
+    MergeTable merge_table;                                 /**< For merged rays. */
 };
 
 /* --- memory ----------------------------------------------------------------------------------- */
@@ -101,6 +100,10 @@ static bool wavefront_has_room(const Wavefront *wavefront) {
            ray_queues_count(wavefront->kept) + most <= RAY_COLUMN_CAPACITY;
 }
 
+MergeMemory wavefront_merge_memory(Wavefront *wavefront) {
+    return (MergeMemory){&wavefront->level[0], wavefront->next, &wavefront->merge_table};
+}
+
 /* --- from packets to the queues --------------------------------------------------------------- */
 
 /** Adds the nodes of camera rays at whose surfaces rays start. @param p Index of the packet.
@@ -123,19 +126,14 @@ static void roots_add(Wavefront *wavefront, int p, const CameraPacket *packet,
 
 /** @return The secondary rays of a vector, for the queue. */
 INLINE RayVector ray_vector_of(const SecondaryRays *secondary, const PacketSource *source, int v) {
-    const RayState *rays = &secondary->rays;
-    const Vec3 *origin = &rays->packet.rays[v].origin, *direction = &rays->packet.rays[v].direction;
-    const Rgb *throughput = &rays->throughput[v], *weight = &secondary->weights[v];
-    return (RayVector){
-        .numbers = {{origin->x, origin->y, origin->z},
-                    {direction->x, direction->y, direction->z},
-                    {throughput->red, throughput->green, throughput->blue},
-                    {weight->red, weight->green, weight->blue}},
-        .turns = rays->turns[v],
-        .parent = lane_numbers() + (int)source->nodes[v],
-        .sample = source->samples[v],
-        .interior = rays->interior[v],
-    };
+    RayVector rays = ray_vector_of_state(&secondary->rays, v);
+    const Rgb *weight = &secondary->weights[v];
+    rays.numbers[RAY_COLUMN_WEIGHT][0] = weight->red;
+    rays.numbers[RAY_COLUMN_WEIGHT][1] = weight->green;
+    rays.numbers[RAY_COLUMN_WEIGHT][2] = weight->blue;
+    rays.parent = lane_numbers() + (int)source->nodes[v];
+    rays.sample = source->samples[v];
+    return rays;
 }
 
 /** Notes at their parents that rays are kept. @param kept Of their kind. @param parent The first
@@ -349,10 +347,8 @@ static void wavefront_set_results(Wavefront *wavefront, CameraPacket *packets, i
 /** Begins the trees of the camera rays of packets. */
 static void wavefront_begin(Wavefront *wavefront, const Dielectrics *dielectrics,
                             const CameraPacket *packets, int count) {
-    size_t shapes = dielectrics->transparent.count;
     wavefront_raise_limit(wavefront);
-    wavefront->interior_count =
-        shapes < INTERIOR_LIST_CAPACITY ? (int)shapes : INTERIOR_LIST_CAPACITY;
+    wavefront->interior_count = ray_columns_interior_count(dielectrics);
     wavefront->sample_count = 0;
     wavefront->had_ample_room = true;
     wavefront->nodes->count = 0;

@@ -16,6 +16,7 @@
 #ifndef DIOPTRE_TRACE_TRACER_WAVEFRONT_H
 #define DIOPTRE_TRACE_TRACER_WAVEFRONT_H
 
+#include "trace/tracer/merged_rays.h"
 #include "trace/tracer/tracer.h"
 
 /** Packets of camera rays that are traced side by side: with fewer, the packets of deep levels are
@@ -48,6 +49,9 @@ void wavefront_destroy(Wavefront *wavefront);
 /** @return The number of camera rays that may find room together: fewer where more did not, just
  *          before. */
 unsigned wavefront_sample_limit(const Wavefront *wavefront);
+
+/** @return Memory of a wavefront, for merged rays. Nothing can be resumed afterwards. */
+MergeMemory wavefront_merge_memory(Wavefront *wavefront);
 
 /**
  * Traces camera rays.

@@ -71,6 +71,12 @@ static void packet_add_light(Merging *merging, const GatheredPacket *gathered, u
     }
 }
 
+/** @return A vector of rays for the queue: merged rays have no nodes. */
+INLINE RayVector merging_vector(const RayState *rays, int v) {
+    const Rgb no_weight = {real_of(0), real_of(0), real_of(0)};
+    return ray_vector_of(rays, v, no_weight, integer_of(0), integer_of(0));
+}
+
 /** Queues the rays of a kind that start at the surfaces of a packet. @return Their number. */
 static unsigned merging_queue(const Merging *merging, Child child, const RayState *rays) {
     RayQueue *next = &merging->memory->next[child];
@@ -78,7 +84,7 @@ static unsigned merging_queue(const Merging *merging, Child child, const RayStat
     for (int v = 0; v < PACKET_VECTORS; v++) {
         unsigned lanes = mask_bits(rays->packet.active[v]);
         if (lanes) {
-            RayVector vector = ray_vector_of_state(rays, v);
+            RayVector vector = merging_vector(rays, v);
             ray_queue_add(next, lanes, &vector, merging->limits.interior_count);
         }
     }
@@ -141,7 +147,7 @@ static void merging_set_sizes(Merging *merging, const Camera *camera) {
 static void merging_begin(Merging *merging, const RayState *camera_rays, int index) {
     const SampleContext *context = &camera_rays->packet.context;
     RayQueue *level = merging->memory->level;
-    RayVector vector = ray_vector_of_state(camera_rays, index / LANES);
+    RayVector vector = merging_vector(camera_rays, index / LANES);
     level->count = 0;
     ray_queue_add(level, 1u << index % LANES, &vector, merging->limits.interior_count);
     ray_queues_clear(merging->memory->next);

@@ -49,14 +49,18 @@ static inline int ray_columns_interior_count(const Dielectrics *dielectrics) {
     return shapes < INTERIOR_LIST_CAPACITY ? (int)shapes : INTERIOR_LIST_CAPACITY;
 }
 
-/** @return A vector of rays for columns, without weight, parent and sample. */
-INLINE RayVector ray_vector_of_state(const RayState *rays, int v) {
+/** @return A vector of rays for columns. @param weight, parent, sample See #RayColumns. */
+INLINE RayVector ray_vector_of(const RayState *rays, int v, Rgb weight, integer parent,
+                               integer sample) {
     const Vec3 *origin = &rays->packet.rays[v].origin, *direction = &rays->packet.rays[v].direction;
     const Rgb *throughput = &rays->throughput[v];
     return (RayVector){.numbers = {{origin->x, origin->y, origin->z},
                                    {direction->x, direction->y, direction->z},
-                                   {throughput->red, throughput->green, throughput->blue}},
+                                   {throughput->red, throughput->green, throughput->blue},
+                                   {weight.red, weight.green, weight.blue}},
                        .turns = rays->turns[v],
+                       .parent = parent,
+                       .sample = sample,
                        .interior = rays->interior[v]};
 }
 

@@ -124,18 +124,6 @@ static void roots_add(Wavefront *wavefront, int p, const CameraPacket *packet,
     }
 }
 
-/** @return The secondary rays of a vector, for the queue. */
-INLINE RayVector ray_vector_of(const SecondaryRays *secondary, const PacketSource *source, int v) {
-    RayVector rays = ray_vector_of_state(&secondary->rays, v);
-    const Rgb *weight = &secondary->weights[v];
-    rays.numbers[RAY_COLUMN_WEIGHT][0] = weight->red;
-    rays.numbers[RAY_COLUMN_WEIGHT][1] = weight->green;
-    rays.numbers[RAY_COLUMN_WEIGHT][2] = weight->blue;
-    rays.parent = lane_numbers() + (int)source->nodes[v];
-    rays.sample = source->samples[v];
-    return rays;
-}
-
 /** Notes at their parents that rays are kept. @param kept Of their kind. @param parent The first
  *  node of the vector that they come from. */
 INLINE void kept_rays_link(PathNodes *nodes, Child child, unsigned kept, unsigned lanes,
@@ -163,7 +151,8 @@ INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child 
         }
         mask is_heavy = rgb_max(secondary->rays.throughput[v]) >= cutoff;
         unsigned heavy = lanes & mask_bits(is_heavy), light = lanes & ~heavy;
-        RayVector rays = ray_vector_of(secondary, source, v);
+        RayVector rays = ray_vector_of(&secondary->rays, v, secondary->weights[v],
+                                       lane_numbers() + (int)source->nodes[v], source->samples[v]);
         ray_queue_add(next, heavy, &rays, interior_count);
         if (light) {
             kept_rays_link(wavefront->nodes, child, kept->count, light, source->nodes[v]);

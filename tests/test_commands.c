@@ -683,6 +683,28 @@ static void press(SDL_Keycode key) {
     }
 }
 
+/** Letters do what they do while the inspector has the keyboard, which uses none of them; arrows are
+ *  the inspector's. */
+static void test_letters_in_inspector(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    if (!typeface_find()) {
+        skip();
+    }
+    const int depth = window_active_viewport(window)->settings.trace.depth;
+    run("next thing");
+    run("inspector keys");
+    assert_true(settle());
+    press(SDLK_b);
+    assert_true(settle());
+    assert_int_equal(window_active_viewport(window)->settings.trace.depth, depth + 1);
+    const Vec3d place = opened.app.scene->camera.position;
+    press(SDLK_RIGHT);
+    assert_true(settle());
+    assert_true(vec3d_length(vec3d_subtract(opened.app.scene->camera.position, place)) <= 0);
+    run("leave");
+}
+
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
  *  there again. */
 static void test_help_over_list(void **state) {
@@ -809,6 +831,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_letters_in_inspector, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),

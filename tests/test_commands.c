@@ -328,6 +328,16 @@ static void test_things(void **state) {
     assert_false(object_inspector_is_open(inspector));
 }
 
+/** Presses a key, and lets it up. */
+static void press(SDL_Keycode key) {
+    for (int up = 0; up < 2; up++) {
+        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
+                                   .timestamp = SDL_GetTicks(),
+                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
+        input_handle_event(&opened.app, &event);
+    }
+}
+
 /** Opens a window on a scene with very many things. @return 0 if it is open. */
 static int set_up_many(void **state) {
     (void)state;
@@ -336,8 +346,8 @@ static int set_up_many(void **state) {
                            "");
 }
 
-/** Of very many things only those in sight are written; the list stays in a window that becomes
- *  smaller. */
+/** Very many things of one line share a row, which unfolds and folds; then only those in sight are
+ *  written; the list stays in a window that becomes smaller. */
 static void test_many_things(void **state) {
     (void)state;
     App *app = &opened.app;
@@ -355,8 +365,20 @@ static void test_many_things(void **state) {
     draw();
     const GuiRect list = gui_inspector_rect();
     assert_true(list.height > 100 && list.y + list.height <= 480);
+    assert_int_equal(count_texts("▶ sphere × 20000 (line 3)"), 1);
+    assert_int_equal(count_texts("sphere"), 1);
+    for (int i = 0; i < 3; i++) {
+        press(SDLK_DOWN);
+        draw();
+    }
+    press(SDLK_SPACE);
+    draw();
+    assert_int_equal(count_texts("▼ sphere × 20000 (line 3)"), 1);
     assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
     assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
+    press(SDLK_SPACE);
+    draw();
+    assert_int_equal(count_texts("sphere"), 1);
     // It leads back to the thing that was chosen.
     inspector->request = INSPECTOR_CHOOSE;
     inspector->has_chosen = true;
@@ -671,16 +693,6 @@ static void test_panels(void **state) {
     assert_false(app->exit.is_requested);
     run("leave");
     assert_true(app->exit.is_requested);
-}
-
-/** Presses a key, and lets it up. */
-static void press(SDL_Keycode key) {
-    for (int up = 0; up < 2; up++) {
-        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
-                                   .timestamp = SDL_GetTicks(),
-                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
-        input_handle_event(&opened.app, &event);
-    }
 }
 
 /** Letters do what they do while the inspector has the keyboard, which uses none of them; arrows are

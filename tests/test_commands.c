@@ -338,6 +338,25 @@ static void press(SDL_Keycode key) {
     }
 }
 
+/** What a tool does is said on the picture when it is chosen, and no longer once it is gone. */
+static void test_tools_explained(void **state) {
+    (void)state;
+    const Toast *toast = &opened.app.window.toast;
+    static const struct {
+        const char *command, *words;
+    } steps[] = {{"split", "T: the other one"}, {"split", "left minus right"},
+                 {"magnifier", "Ctrl and arrows"}, {"magnifier", NULL},
+                 {"presentation", "F5: as before"}, {"presentation", NULL}};
+    for (size_t i = 0; i < COUNT(steps); i++) {
+        run_and_settle(steps[i].command);
+        if (steps[i].words) {
+            assert_non_null(strstr(toast->text, steps[i].words));
+        } else {
+            assert_string_equal(toast->text, "");
+        }
+    }
+}
+
 /** Opens a window on a scene with very many things. @return 0 if it is open. */
 static int set_up_many(void **state) {
     (void)state;
@@ -843,6 +862,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_tools_explained, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_letters_in_inspector, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),

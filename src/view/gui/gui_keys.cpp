@@ -130,6 +130,9 @@ bool handle_key_event(Gui *gui, const SDL_Event *event) {
         gui->plain_key = is_plain ? event->key.keysym.scancode : SDL_SCANCODE_UNKNOWN;
     }
     const bool has_panel = gui->keyboard != GUI_PICTURE;
+    if (event->type == SDL_KEYDOWN && !has_panel) {
+        silence_tooltips(&gui->rest); // Who presses keys looks at the picture.
+    }
     const bool is_typed = (ImGui::GetIO().WantTextInput || has_panel) && is_keyboard_event(event);
     if (is_typed && has_panel && is_leaving(event)) {
         take_keyboard(gui);
@@ -166,6 +169,10 @@ void gui_take_keyboard(Gui *gui) {
         ImGui::SetCurrentContext(gui->context);
         take_keyboard(gui);
     }
+}
+
+GuiKeyboard gui_keyboard(const Gui *gui) {
+    return gui ? gui->keyboard : GUI_PICTURE;
 }
 
 bool gui_awaits_frame(const Gui *gui) {

@@ -136,6 +136,9 @@ static void check_lesson_panel(Fixture *fixture) {
             window_set_lesson_panel(&fixture->window, &panel);
             check_frame(fixture, "lesson", 4);
             assert_non_null(find_text(fixture, gettext("✕ leave"))); // By the mouse, too.
+            // Letters are 1/30 of what is below the toolbar: its words are for the last row of a class.
+            assert_true(30 * window_text_size(&fixture->window) >=
+                        (float)before[1] - fixture->window.toolbar.height);
         }
     }
     for (size_t i = 0; i < lesson->question_count; i++) {

@@ -344,8 +344,8 @@ static void test_tools_explained(void **state) {
     const Toast *toast = &opened.app.window.toast;
     static const struct {
         const char *command, *words;
-    } steps[] = {{"split", "T: the other one"}, {"split", "left minus right"},
-                 {"magnifier", "Ctrl and arrows"}, {"magnifier", NULL},
+    } steps[] = {{"split", "T: the other one"},     {"split", "left minus right"},
+                 {"magnifier", "Ctrl and arrows"},  {"magnifier", NULL},
                  {"presentation", "F5: as before"}, {"presentation", NULL}};
     for (size_t i = 0; i < COUNT(steps); i++) {
         run_and_settle(steps[i].command);
@@ -714,8 +714,8 @@ static void test_panels(void **state) {
     assert_true(app->exit.is_requested);
 }
 
-/** Letters do what they do while the inspector has the keyboard, which uses none of them; arrows are
- *  the inspector's. */
+/** Letters do what they do while the inspector has the keyboard, which uses none of them; arrows
+ * are the inspector's. */
 static void test_letters_in_inspector(void **state) {
     (void)state;
     Window *window = &opened.app.window;

@@ -209,7 +209,8 @@ static void test_normals(void **state) {
     rays_deinit(&glass);
 }
 
-/** @return Whether anything is drawn right of a drawing beside the rays. @param width Of the drawing. */
+/** @return Whether anything is drawn right of a drawing beside the rays. @param width Of the
+ * drawing. */
 static bool is_drawn_beside(const Rays *rays, RayPane pane, int width) {
     enum { TEXT_SIZE = 20 };
     cairo_surface_t *image =

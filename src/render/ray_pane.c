@@ -23,7 +23,8 @@ static const double LINE_PITCH = 1.2;
 /** Bytes of a line of text; most lines of a text. */
 enum { LINE_SIZE = 160, LINES_MAXIMUM = 8 };
 
-/** Makes letters those of the drawings. @param shown The text as readers of the language have it. */
+/** Makes letters those of the drawings. @param shown The text as readers of the language have it.
+ */
 static void choose_letters(const RayPaneInput *input, const char *text, char shown[LINE_SIZE]) {
     cairo_t *cairo = input->drawing.cairo;
     snprintf(shown, LINE_SIZE, "%.*s", LINE_SIZE - 1, text);
@@ -376,8 +377,8 @@ static double measure_marks(const RayPaneInput *input, const HeightMark *marks, 
     char lines[LINES_MAXIMUM][LINE_SIZE];
     double sum = 0;
     for (size_t i = 0; i < count; i++) {
-        heights[i] = LINE_PITCH * input->text_size *
-                     (double)break_text(input, room, marks[i].text, lines);
+        heights[i] =
+            LINE_PITCH * input->text_size * (double)break_text(input, room, marks[i].text, lines);
         sum += heights[i];
     }
     return sum;

@@ -280,8 +280,9 @@ void action_take_keyboard(App *app, int argument) {
     if (object_inspector_is_open(&app->window.object_inspector) &&
         gui_give_keyboard(app->window.gui, GUI_INSPECTOR)) {
         window_present(&app->window);
-        app_set_status_while(app, is_inspector_steered,
-                             N_("arrows: a field; Space, Enter: change it; Esc: the picture's keys"));
+        app_set_status_while(
+            app, is_inspector_steered,
+            N_("arrows: a field; Space, Enter: change it; Esc: the picture's keys"));
     }
 }
 
@@ -295,8 +296,9 @@ void action_list_things(App *app, int argument) {
     edits_list(app);
     gui_take_keyboard(window->gui);
     if (gui_give_keyboard(window->gui, GUI_INSPECTOR)) {
-        app_set_status_while(app, is_inspector_steered,
-                             N_("arrows: a thing; Space, Enter: choose it; Esc: the picture's keys"));
+        app_set_status_while(
+            app, is_inspector_steered,
+            N_("arrows: a thing; Space, Enter: choose it; Esc: the picture's keys"));
     }
 }
 
@@ -308,8 +310,9 @@ void action_take_toolbar(App *app, int argument) {
     }
     if (!window->toolbar.is_folded && gui_give_keyboard(window->gui, GUI_BAR)) {
         window_present(window);
-        app_set_status_while(app, is_toolbar_steered,
-                             N_("arrows: a button; Space, Enter: press it; Esc: the picture's keys"));
+        app_set_status_while(
+            app, is_toolbar_steered,
+            N_("arrows: a button; Space, Enter: press it; Esc: the picture's keys"));
     }
 }
 

@@ -56,7 +56,8 @@ ImVec2 name_behind(ImVec2 start, GuiPoint direction, const char *name) {
     const ImVec2 size = ImGui::CalcTextSize(name);
     const float half = ARROW_LENGTH * ImGui::GetFontSize() / 3;
     // How far the name's box reaches towards the arrow, and how far the base does along it.
-    const float reach = fabsf(direction.x) * size.x / 2 + fabsf(direction.y) * size.y / 2 + half / 2;
+    const float reach =
+        fabsf(direction.x) * size.x / 2 + fabsf(direction.y) * size.y / 2 + half / 2;
     return ImVec2(start.x - reach * direction.x, start.y - reach * direction.y - size.y / 2);
 }
 

@@ -66,12 +66,13 @@ static bool show_row(const ObjectInspector *inspector, const Scene *scene, size_
         thing_row_title(&object, title);
     }
     encode(color_of(scene, index), rgb);
-    return gui_list_row((int)index, title, index >= inspector->open_first &&
-                                              index < inspector->open_end,
-                        rgb, is_last_chosen(inspector, index), false);
+    return gui_list_row((int)index, title,
+                        index >= inspector->open_first && index < inspector->open_end, rgb,
+                        is_last_chosen(inspector, index), false);
 }
 
-/* --- things of one line ------------------------------------------------------------------------ */
+/* --- things of one line ------------------------------------------------------------------------
+ */
 
 /** Things beside each other that one line of the scene file has made. */
 typedef struct ThingRun {

@@ -20,5 +20,6 @@ sphere { center = {-5, 0, -32}, radius = 3, material = flat {0, 0, 1} }
 sphere { center = { 0, 0, -32}, radius = 5, material = flat {1, 1, 1} }
 
 -- en: Two spheres in flat colours: no light is computed yet.
+-- en name: figure 7: flat colours
 -- fr name: figure 7 : couleurs unies
 -- fr: Deux sphères de couleur unie : la lumière n’est pas encore calculée.

@@ -22,5 +22,6 @@ sphere { center = {-3, 0, -20}, radius = 1, material = material { color = {0, 0,
 sphere { center = { 0, 0, -32}, radius = 5, material = material { color = {1, 1, 1} } }
 
 -- en: Shadows, and two lights whose colours add up.
+-- en name: figure 8: shadows
 -- fr name: figure 8 : ombres
 -- fr: Des ombres, et deux lampes dont les couleurs s’ajoutent.

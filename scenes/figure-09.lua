@@ -20,5 +20,6 @@ sphere { center = {-3, 0, -20}, radius = 1, material = material { color = {0, 0,
 sphere { center = { 0, 0, -32}, radius = 5, material = material { color = {1, 1, 1} } }
 
 -- en: Light that weakens with the distance and with the angle.
+-- en name: figure 9: falloff
 -- fr name: figure 9 : atténuation
 -- fr: Une lumière qui faiblit avec la distance et avec l’angle.

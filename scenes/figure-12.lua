@@ -27,5 +27,6 @@ cylinder {
 }
 
 -- en: A mesh of flat triangles.
+-- en name: figure 12: facets
 -- fr name: figure 12 : facettes
 -- fr: Un maillage de triangles, avec une normale par facette.

@@ -30,5 +30,6 @@ for i, normals in ipairs { "flat", "smooth" } do
 end
 
 -- en: The same mesh with flat and with interpolated normals.
+-- en name: figure 13: normals
 -- fr name: figure 13 : normales
 -- fr: Le même maillage, avec une normale par facette, ou interpolée.

@@ -47,5 +47,6 @@ for i, color in ipairs { "#e6332a", "#ffd500", "#3aaa35", "#1d71b8", "#8a3fa0" }
 end
 
 -- en: Mirrors between meshes and spheres.
+-- en name: figure 16: mirrors
 -- fr name: figure 16 : miroirs
 -- fr: Des miroirs entre maillages et sphères.

@@ -31,5 +31,6 @@ box { min = {-0.7, -0.2, -0.7}, max = {0.7, 1.4, 0.7}, rotate = {0, 20, 0}, tran
       material = material { color = 0, transparency = {0.93, 0.98, 0.97}, ior = 1.5, specular = 0.6, shininess = 300 } }
 
 -- en: A glass cube, and the image of a sphere that it refracts.
+-- en name: figure 18: glass cube
 -- fr name: figure 18 : cube de verre
 -- fr: Un cube de verre, et l’image d’une sphère qu’il réfracte.

@@ -22,5 +22,6 @@ sphere {   -- tilted as the earth is, and turned with the hours
 }
 
 -- en: A die and the earth, with textures.
+-- en name: figure 19: textures
 -- fr name: figure 19 : textures
 -- fr: Un dé et la Terre, avec des textures.

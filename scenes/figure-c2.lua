@@ -21,5 +21,6 @@ wall({ 2, -2, -2}, {0, 0, 4}, {0, 4, 0}) -- right
 sphere { center = {0, -0.2, 0}, radius = 1.2, material = material { color = {0.8, 0.06, 0.05}, reflectivity = 0.6 } }
 
 -- en: A mirror that would be full of dark points without an offset.
+-- en name: figure C2: mirror
 -- fr name: figure C2 : miroir
 -- fr: Un miroir qui serait plein de points noirs sans décalage.

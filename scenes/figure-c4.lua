@@ -15,5 +15,6 @@ sphere { center = {-0.9, -0.1, 0.3}, radius = 1, material = matt(0.8, 0.15, 0.1)
 quad { corner = {0.5, -1.1, -0.7}, u = {1.3, 0, 0.6}, v = {0.2, 1.7, -0.3}, material = matt(0.85, 0.7, 0.1) }
 
 -- en: Walls that would be strewn with shadow acne without an offset.
+-- en name: figure C4: shadow acne
 -- fr name: figure C4 : acné d’ombre
 -- fr: Des murs qui seraient couverts d’acné d’ombre sans décalage.

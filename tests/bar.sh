@@ -101,6 +101,9 @@ xdotool mousemove --window "$window" 256 98 && sleep 0.2 && below_bar soon
 cmp -s "$work/soon.ppm" "$work/away.ppm" && ok 'a tooltip waits until the mouse rests' || fail 'it comes at once'
 has_tooltip() { below_bar rest && ! cmp -s "$work/rest.ppm" "$work/away.ppm"; }
 within has_tooltip && ok 'then it comes by itself' || fail 'no tooltip comes'
+has_none() { below_bar rest && cmp -s "$work/rest.ppm" "$work/away.ppm"; }
+xdotool key b shift+b
+within has_none && sleep 1 && has_none && ok 'a key takes it away, until the mouse moves' || fail 'the tooltip stays'
 xdotool mousemove --window "$window" 400 500 key Escape
 expect_shown 'pass 1 px.*finished' 'Esc: the light once more'
 # The list of scenes is opened and closed by its button, and closed by its own in the upper right corner.

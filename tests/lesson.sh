@@ -232,7 +232,7 @@ expect_shown '^box.*finished' 'the first lesson'
 xdotool key space
 expect_shown 'the lesson is over' 'it ends'
 xdotool key space 1
-expect_shown '^figure-c4.*finished' '1 opens the next lesson with its scene'
+expect_shown '^figure C4: shadow acne — .*finished' '1 opens the next lesson with its scene'
 xdotool key 2
 in_set() { [ "$(wc -l <"$work/set.csv")" = "$1" ]; }
 within in_set 2 && sleep 0.5

@@ -32,10 +32,10 @@ cmp -s "$work/plain.ppm" "$work/a.ppm" && ok 'Esc closes it, and not the window'
 # In alphabetical order: bad box empty figure-08 glass-sphere; the one that is shown is chosen first.
 xdotool key f && settled
 xdotool key Right Right Return
-expect_shown '^figure-08 — .*finished' 'arrows and Enter show another scene'
+expect_shown '^figure 8: shadows — .*finished' 'arrows and Enter show another scene'
 xdotool key f && settled
 xdotool key Home Return
-expect_shown '^figure-08 — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
+expect_shown '^figure 8: shadows — .*bad.lua:1: sphere has no field' 'a bad scene is told of, and the one before stays'
 xdotool key l
 expect_shown "bad.lua:1: sphere n’a pas de champ" 'and told again in the other language'
 xdotool key l

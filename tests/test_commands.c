@@ -328,6 +328,35 @@ static void test_things(void **state) {
     assert_false(object_inspector_is_open(inspector));
 }
 
+/** Presses a key, and lets it up. */
+static void press(SDL_Keycode key) {
+    for (int up = 0; up < 2; up++) {
+        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
+                                   .timestamp = SDL_GetTicks(),
+                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
+        input_handle_event(&opened.app, &event);
+    }
+}
+
+/** What a tool does is said on the picture when it is chosen, and no longer once it is gone. */
+static void test_tools_explained(void **state) {
+    (void)state;
+    const Toast *toast = &opened.app.window.toast;
+    static const struct {
+        const char *command, *words;
+    } steps[] = {{"split", "T: the other one"},     {"split", "left minus right"},
+                 {"magnifier", "Ctrl and arrows"},  {"magnifier", NULL},
+                 {"presentation", "F5: as before"}, {"presentation", NULL}};
+    for (size_t i = 0; i < COUNT(steps); i++) {
+        run_and_settle(steps[i].command);
+        if (steps[i].words) {
+            assert_non_null(strstr(toast->text, steps[i].words));
+        } else {
+            assert_string_equal(toast->text, "");
+        }
+    }
+}
+
 /** Opens a window on a scene with very many things. @return 0 if it is open. */
 static int set_up_many(void **state) {
     (void)state;
@@ -336,8 +365,8 @@ static int set_up_many(void **state) {
                            "");
 }
 
-/** Of very many things only those in sight are written; the list stays in a window that becomes
- *  smaller. */
+/** Very many things of one line share a row, which unfolds and folds; then only those in sight are
+ *  written; the list stays in a window that becomes smaller. */
 static void test_many_things(void **state) {
     (void)state;
     App *app = &opened.app;
@@ -355,8 +384,20 @@ static void test_many_things(void **state) {
     draw();
     const GuiRect list = gui_inspector_rect();
     assert_true(list.height > 100 && list.y + list.height <= 480);
+    assert_int_equal(count_texts("▶ sphere × 20000 (line 3)"), 1);
+    assert_int_equal(count_texts("sphere"), 1);
+    for (int i = 0; i < 3; i++) {
+        press(SDLK_DOWN);
+        draw();
+    }
+    press(SDLK_SPACE);
+    draw();
+    assert_int_equal(count_texts("▼ sphere × 20000 (line 3)"), 1);
     assert_int_equal(count_texts("sphere 1 (line 3)"), 1);
     assert_true(count_texts("sphere") > 5 && count_texts("sphere") < 40);
+    press(SDLK_SPACE);
+    draw();
+    assert_int_equal(count_texts("sphere"), 1);
     // It leads back to the thing that was chosen.
     inspector->request = INSPECTOR_CHOOSE;
     inspector->has_chosen = true;
@@ -673,14 +714,26 @@ static void test_panels(void **state) {
     assert_true(app->exit.is_requested);
 }
 
-/** Presses a key, and lets it up. */
-static void press(SDL_Keycode key) {
-    for (int up = 0; up < 2; up++) {
-        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
-                                   .timestamp = SDL_GetTicks(),
-                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
-        input_handle_event(&opened.app, &event);
+/** Letters do what they do while the inspector has the keyboard, which uses none of them; arrows
+ * are the inspector's. */
+static void test_letters_in_inspector(void **state) {
+    (void)state;
+    Window *window = &opened.app.window;
+    if (!typeface_find()) {
+        skip();
     }
+    const int depth = window_active_viewport(window)->settings.trace.depth;
+    run("next thing");
+    run("inspector keys");
+    assert_true(settle());
+    press(SDLK_b);
+    assert_true(settle());
+    assert_int_equal(window_active_viewport(window)->settings.trace.depth, depth + 1);
+    const Vec3d place = opened.app.scene->camera.position;
+    press(SDLK_RIGHT);
+    assert_true(settle());
+    assert_true(vec3d_length(vec3d_subtract(opened.app.scene->camera.position, place)) <= 0);
+    run("leave");
 }
 
 /** F1 shows the help over the list of scenes, where no key reaches the list; closed, the list is
@@ -809,6 +862,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_moves, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_redo_after_move, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_panels, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_tools_explained, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_letters_in_inspector, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_drawn_without_event, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),

@@ -187,12 +187,45 @@ static void test_settings_of_lesson(void **state) {
     assert_int_equal(app->window.viewports[0].settings.trace.depth, first.trace.depth);
 }
 
+/** A lesson says itself what its tools do. */
+static void test_tools_in_lesson(void **state) {
+    (void)state;
+    frames();
+    window_end_toast(&opened.app.window);
+    run("magnifier");
+    frames();
+    assert_string_equal(opened.app.window.toast.text, "");
+}
+
+/** Once a lesson is closed, the picture says what to press. */
+static void test_hint_after_lesson(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    frames();
+    while (app->player.state != PLAYER_IS_FINISHED) {
+        steer("time on");
+    }
+    if (!app->window.gui) {
+        skip();
+    }
+    window_end_hint(&app->window);
+    frames();
+    assert_string_equal(app->window.hint.text, "");
+    app->window.lesson_panel.request = (LessonRequest){LESSON_REQUEST_CLOSE, 0};
+    frames();
+    assert_null(app->player.lesson);
+    assert_non_null(strstr(app->window.hint.text, "Help: F1"));
+}
+
 /** @return 0 if all tests pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_space_after_answer, set_up, close_lesson_window),
         cmocka_unit_test_setup_teardown(test_space_with_explanation, set_up, close_lesson_window),
         cmocka_unit_test_setup_teardown(test_marked_pixel, set_up, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_tools_in_lesson, set_up_settings, close_lesson_window),
+        cmocka_unit_test_setup_teardown(test_hint_after_lesson, set_up_settings,
+                                        close_lesson_window),
         cmocka_unit_test_setup_teardown(test_settings_of_lesson, set_up_settings,
                                         close_lesson_window),
     };

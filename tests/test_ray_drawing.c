@@ -8,6 +8,7 @@
 #include "pictures.h"
 
 #include "render/ray_drawing.h"
+#include "render/ray_pane.h"
 
 /** Size of the second camera's picture: wide and low, as beside the words of a lesson. */
 enum { VIEW_WIDTH = 480, VIEW_HEIGHT = 250 };
@@ -208,12 +209,55 @@ static void test_normals(void **state) {
     rays_deinit(&glass);
 }
 
+/** @return Whether anything is drawn right of a drawing beside the rays. @param width Of the
+ * drawing. */
+static bool is_drawn_beside(const Rays *rays, RayPane pane, int width) {
+    enum { TEXT_SIZE = 20 };
+    cairo_surface_t *image =
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, VIEW_WIDTH, VIEW_HEIGHT);
+    Error error = {0};
+    RayPaneInput input = {rays->renderer, rays->scene, engine_find("f64x1", &error), rays->drawing,
+                          TEXT_SIZE};
+    bool is_drawn = false;
+    input.drawing.cairo = cairo_create(image);
+    ray_pane_draw(pane, &input, width, VIEW_HEIGHT);
+    cairo_surface_flush(image);
+    const unsigned char *data = cairo_image_surface_get_data(image);
+    for (int row = 0; row < VIEW_HEIGHT; row++) {
+        for (int column = width; column < VIEW_WIDTH; column++) {
+            is_drawn |= data[row * cairo_image_surface_get_stride(image) + 4 * column + 3] > 0;
+        }
+    }
+    cairo_destroy(input.drawing.cairo);
+    cairo_surface_destroy(image);
+    return is_drawn;
+}
+
+/** Words of a narrow drawing are broken into lines: none is cut. */
+static void test_narrow_drawings(void **state) {
+    (void)state;
+    Rays rays;
+    rays_init(&rays, "scenes/glass-sphere.lua", 0.5, 0.38, 0);
+    rays.drawing.selected = first_of(&rays, RAY_REFLECTION);
+    assert_true(rays.tree.nodes[rays.drawing.selected].shape < 0);
+    for (RayPane pane = RAY_PANE_PLAN; pane < RAY_PANE_COUNT; pane++) {
+        assert_false(is_drawn_beside(&rays, pane, 160));
+        rays.drawing.selected = 0;
+        assert_false(is_drawn_beside(&rays, pane, 160));
+    }
+    rays_deinit(&rays);
+    rays_init(&rays, "scenes/turned-frame.lua", 0.5, 0.5, 0);
+    rays.drawing.selected = 0;
+    assert_false(is_drawn_beside(&rays, RAY_PANE_MARCH, 160));
+    rays_deinit(&rays);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_clear_view),   cmocka_unit_test(test_blocked),
         cmocka_unit_test(test_hidden_kinds), cmocka_unit_test(test_zoom),
-        cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_normals),      cmocka_unit_test(test_narrow_drawings),
     };
     return cmocka_run_group_tests_name("ray drawing", tests, NULL, NULL);
 }

@@ -631,13 +631,15 @@ static void test_ray_view(void **state) {
     const RayViewInput input = {&viewport, scene, 0, 0, {0, 0, WIDTH, HEIGHT}};
     assert_true(ray_view_update(&ray_view, &input, NULL, &error));
     assert_false(ray_view.needs_present);
+    assert_true(ray_view_timeout(&ray_view, 0) > 1);
     ray_view_pick(&ray_view, 63.5 / WIDTH, 112.5 / HEIGHT);
+    assert_true(ray_view_timeout(&ray_view, 0) <= 0); // No event may come after a button's.
     assert_true(ray_view_update(&ray_view, &input, NULL, &error));
     assert_true(ray_view.needs_present && ray_view.ray_tree.count >= 4);
-    assert_non_null(strstr(ray_view.heading, "63 112"));
+    assert_non_null(strstr(ray_view.heading, "(63, 112)"));
     ray_view_step_pixel(&ray_view, -1, 2);
     assert_true(ray_view_update(&ray_view, &input, NULL, &error));
-    assert_non_null(strstr(ray_view.heading, "62 114"));
+    assert_non_null(strstr(ray_view.heading, "(62, 114)"));
     ray_view_select_ray(&ray_view, -1);
     assert_int_equal(ray_view.selected, ray_view.ray_tree.count - 1);
     ray_view_select_ray(&ray_view, 1);

@@ -136,6 +136,10 @@ static void check_lesson_panel(Fixture *fixture) {
             window_set_lesson_panel(&fixture->window, &panel);
             check_frame(fixture, "lesson", 4);
             assert_non_null(find_text(fixture, gettext("✕ leave"))); // By the mouse, too.
+            // Letters are 1/30 of what is below the toolbar: its words are for the last row of a
+            // class.
+            assert_true(30 * window_text_size(&fixture->window) >=
+                        (float)before[1] - fixture->window.toolbar.height);
         }
     }
     for (size_t i = 0; i < lesson->question_count; i++) {
@@ -440,6 +444,27 @@ static void check_readout(Fixture *fixture) {
     renderer->settings.engine = engine;
 }
 
+/** Number of names of lamps that #check_lamp_names has found. */
+static int lamp_names;
+
+/** Checks that the name of a lamp right of the picture lies left of the arrow to it. */
+static void check_lamp_names(Fixture *fixture) {
+    Window *window = &fixture->window;
+    char name[GUI_RECORD_SIZE];
+    wait_for_picture(fixture);
+    window_present(window);
+    snprintf(name, sizeof name, gettext("lamp %d"), 2);
+    const GuiText *text = find_text(fixture, name);
+    if (text) {
+        const SDL_Rect picture = window_to_units(window, window_picture_rect(window));
+        // The arrow's tip is 0.3 letters from the edge, its base 1.2 from the tip; it is a little
+        // aslant.
+        const float base = (float)(picture.x + picture.w) - 1.4F * window_text_size(window);
+        assert_true(text->rect.x + text->rect.width <= base);
+        lamp_names++;
+    }
+}
+
 /** Checks that the legends of two pictures side by side leave most of each to be seen. */
 static void check_two_legends(Fixture *fixture) {
     Window *window = &fixture->window;
@@ -556,6 +581,13 @@ static void test_readout(void **state) {
     in_all_windows(state, check_readout);
 }
 
+/** The names of lamps outside the picture. */
+static void test_lamp_names(void **state) {
+    lamp_names = 0;
+    in_all_windows(state, check_lamp_names);
+    assert_true(lamp_names > 2);
+}
+
 /** The legends of two pictures. */
 static void test_two_legends(void **state) {
     in_all_windows(state, check_two_legends);
@@ -583,7 +615,7 @@ int main(void) {
         cmocka_unit_test(test_magnifier),       cmocka_unit_test(test_chart),
         cmocka_unit_test(test_presentation),    cmocka_unit_test(test_ray_layout),
         cmocka_unit_test(test_still_bar),       cmocka_unit_test(test_readout),
-        cmocka_unit_test(test_two_legends),
+        cmocka_unit_test(test_two_legends),     cmocka_unit_test(test_lamp_names),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);
 }

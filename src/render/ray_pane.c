@@ -12,25 +12,103 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** Pixels of a cell of the shapes in a drawing by parallel light. */
 enum { CELL = 3 };
 /** Space at the edges, in heights of letters. */
 static const double MARGIN = 0.6;
-/** Bytes of a line of text. */
-enum { LINE_SIZE = 160 };
+/** Distance of two lines, in heights of letters. */
+static const double LINE_PITCH = 1.2;
+/** Bytes of a line of text; most lines of a text. */
+enum { LINE_SIZE = 160, LINES_MAXIMUM = 8 };
+
+/** Makes letters those of the drawings. @param shown The text as readers of the language have it.
+ */
+static void choose_letters(const RayPaneInput *input, const char *text, char shown[LINE_SIZE]) {
+    cairo_t *cairo = input->drawing.cairo;
+    snprintf(shown, LINE_SIZE, "%.*s", LINE_SIZE - 1, text);
+    typeset_numbers(shown, LINE_SIZE);
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, input->text_size);
+}
+
+/** @return The width of a text, pixels. */
+static double text_width(cairo_t *cairo, const char *text) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo, text, &extents);
+    return extents.x_advance;
+}
+
+/** @return Bytes of the words of a text that fit into a line; at least one word. @param room Width
+ *  of the line, pixels. */
+static size_t line_length(cairo_t *cairo, const char *text, double room) {
+    size_t length = strcspn(text, " ");
+    for (size_t end = length; text[end] != '\0';) {
+        char line[LINE_SIZE];
+        end += 1 + strcspn(text + end + 1, " ");
+        snprintf(line, sizeof line, "%.*s", (int)end, text);
+        if (text_width(cairo, line) > room) {
+            break;
+        }
+        length = end;
+    }
+    return length;
+}
+
+/** Breaks a text into lines. @param[out] lines The lines. @return Their number. */
+static size_t break_text(const RayPaneInput *input, double room, const char *text,
+                         char lines[LINES_MAXIMUM][LINE_SIZE]) {
+    char shown[LINE_SIZE];
+    size_t count = 0;
+    choose_letters(input, text, shown);
+    for (const char *rest = shown; *rest != '\0' && count < LINES_MAXIMUM; count++) {
+        size_t length = line_length(input->drawing.cairo, rest, room);
+        snprintf(lines[count], LINE_SIZE, "%.*s", (int)length, rest);
+        rest += length + (rest[length] == ' ');
+    }
+    return count;
+}
 
 /** Writes a line of text. @param y Its base line. */
 static void write_text(const RayPaneInput *input, double x, double y, const char *text) {
     cairo_t *cairo = input->drawing.cairo;
     char shown[LINE_SIZE];
-    snprintf(shown, sizeof shown, "%s", text);
-    typeset_numbers(shown, sizeof shown);
-    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, input->text_size);
+    choose_letters(input, text, shown);
     cairo_set_source_rgb(cairo, 0, 0, 0);
     cairo_move_to(cairo, x, y);
     cairo_show_text(cairo, shown);
+}
+
+/** Writes a text in as many lines as it needs. @param y Base line of the first. @param right Where
+ *  they end at most, pixels. @return Base line of what comes below. */
+static double write_lines(const RayPaneInput *input, double x, double y, double right,
+                          const char *text) {
+    char lines[LINES_MAXIMUM][LINE_SIZE];
+    size_t count = break_text(input, right - x, text, lines);
+    for (size_t i = 0; i < count; i++) {
+        write_text(input, x, y, lines[i]);
+        y += LINE_PITCH * input->text_size;
+    }
+    return y;
+}
+
+/** Writes a text from margin to margin. See #write_lines. */
+static double write_paragraph(const RayPaneInput *input, double y, int width, const char *text) {
+    const double margin = MARGIN * input->text_size;
+    return write_lines(input, margin, y, width - margin, text);
+}
+
+/** Writes what a drawing shows over its upper left corner, on a ground of its own. */
+static void write_title(const RayPaneInput *input, const char *text) {
+    cairo_t *cairo = input->drawing.cairo;
+    const double size = input->text_size, margin = MARGIN * size;
+    char shown[LINE_SIZE];
+    choose_letters(input, text, shown);
+    cairo_rectangle(cairo, 0, 0, 2 * margin + text_width(cairo, shown), 1.7 * size);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_fill(cairo);
+    write_text(input, margin, 1.2 * size, text);
 }
 
 /** Fills the ground. */
@@ -144,7 +222,7 @@ static void draw_plan(const RayPaneInput *input, int width, int height) {
         cairo_save(cairo);
         cairo_translate(cairo, 0, i * half);
         ray_pane_parallel(input, &views[i], width, half);
-        write_text(input, MARGIN * input->text_size, 1.2 * input->text_size, titles[i]);
+        write_title(input, titles[i]);
         cairo_restore(cairo);
     }
     cairo_set_source_rgb(cairo, 0.2, 0.2, 0.2);
@@ -232,11 +310,16 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
     const double size = input->text_size, left = MARGIN * size;
     char text[LINE_SIZE];
     if (!ray) {
-        write_text(input, left, 1.5 * size, gettext("this ray does not march"));
+        write_paragraph(input, 1.5 * size, width, gettext("this ray does not march"));
         return;
     }
+    const char *axis = gettext("free distance per step, log scale");
+    char lines[LINES_MAXIMUM][LINE_SIZE];
+    const size_t count = break_text(input, width - 2 * left, axis, lines);
+    const double below = height - (0.8 + LINE_PITCH * (double)count) * size;
     const double flat[] = {left, width - left, 0.35 * height};
-    const double bars[] = {left, 0.68 * height, width - left, height - 3.5 * size};
+    const double bars[] = {left, fmin(0.68 * height, below - 3 * size), width - left,
+                           below - 1.5 * size};
     cairo_save(input->drawing.cairo);
     cairo_rectangle(input->drawing.cairo, 0, 0, width, 0.6 * height);
     cairo_clip(input->drawing.cairo);
@@ -246,7 +329,7 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
     snprintf(text, sizeof text, ngettext("%zu step", "%zu steps", ray->step_count),
              ray->step_count);
     write_text(input, left, 1.3 * size, text);
-    write_text(input, left, height - 2 * size, gettext("free distance per step, log scale"));
+    write_paragraph(input, below, width, axis);
     write_range(input, ray, left, height - 0.7 * size);
 }
 
@@ -256,7 +339,6 @@ static void draw_march(const RayPaneInput *input, int width, int height) {
 typedef struct HeightMark {
     double height;        /**< Ulps over the surface. */
     unsigned color;       /**< 0xRRGGBB. */
-    double text_y;        /**< Where its words are, pixels. */
     char text[LINE_SIZE]; /**< Its words. */
 } HeightMark;
 
@@ -288,32 +370,49 @@ static size_t collect_marks(const RayMicroscope *hit, const RayTree *tree,
     return count;
 }
 
+/** @return The height of the words of marks. @param[out] heights The height of each, pixels.
+ *  @param room Width of their lines, pixels. */
+static double measure_marks(const RayPaneInput *input, const HeightMark *marks, size_t count,
+                            double room, double heights[MARKS_MAXIMUM]) {
+    char lines[LINES_MAXIMUM][LINE_SIZE];
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        heights[i] =
+            LINE_PITCH * input->text_size * (double)break_text(input, room, marks[i].text, lines);
+        sum += heights[i];
+    }
+    return sum;
+}
+
 /** Draws marks as lines with words beside them. @param top Where the largest may lie, pixels. */
 static void draw_marks(const RayPaneInput *input, HeightMark *marks, size_t count, double top,
                        int width, int height) {
     cairo_t *cairo = input->drawing.cairo;
-    const double size = input->text_size, line = 1.2 * size, right = 0.16 * width;
+    const double size = input->text_size, right = 0.16 * width, words = right + 1.3 * size;
+    const double end = width - MARGIN * size / 2;
+    double heights[MARKS_MAXIMUM], below = measure_marks(input, marks, count, end - words, heights);
     double high = fmax(1, marks[0].height), low = fmin(-1, marks[count - 1].height);
     double unit = (height - top - 2 * size) / (high - low), above = top;
     for (size_t i = 0; i < count; i++) {
         double y = top + size + (high - marks[i].height) * unit;
-        marks[i].text_y = fmin(fmax(y, above), height - size - (double)(count - 1 - i) * line);
-        above = marks[i].text_y + line;
+        double text_y = fmin(fmax(y, above), height + (LINE_PITCH - 1) * size - below);
+        above = text_y + heights[i];
+        below -= heights[i];
         cairo_set_source_rgb(cairo, (marks[i].color >> 16) / 255.0,
                              (marks[i].color >> 8 & 0xff) / 255.0, (marks[i].color & 0xff) / 255.0);
         cairo_set_line_width(cairo, 2);
         cairo_move_to(cairo, MARGIN * size, y);
         cairo_line_to(cairo, right, y);
-        cairo_line_to(cairo, right + size, marks[i].text_y);
+        cairo_line_to(cairo, right + size, text_y);
         cairo_stroke(cairo);
-        write_text(input, right + 1.3 * size, marks[i].text_y + 0.35 * size, marks[i].text);
+        write_lines(input, words, text_y + 0.35 * size, end, marks[i].text);
     }
 }
 
 /** Draws the hit of the selected ray under the microscope. */
 static void draw_microscope(const RayPaneInput *input, int width, int height) {
     const RayDrawing *drawing = &input->drawing;
-    const double size = input->text_size, left = MARGIN * size;
+    const double size = input->text_size;
     size_t index = drawing->selected < drawing->tree->count ? drawing->selected : 0;
     if (drawing->tree->nodes[index].kind == RAY_SHADOW) {
         index = (size_t)drawing->tree->nodes[index].parent; // It starts at that hit.
@@ -322,15 +421,15 @@ static void draw_microscope(const RayPaneInput *input, int width, int height) {
     HeightMark marks[MARKS_MAXIMUM];
     char text[LINE_SIZE];
     if (!hit.is_valid) {
-        write_text(input, left, 1.5 * size, gettext("no hit to measure"));
+        write_paragraph(input, 1.5 * size, width, gettext("no hit to measure"));
         return;
     }
     snprintf(text, sizeof text, gettext("1 ulp of the hit = %.3g"), hit.ulp);
-    write_text(input, left, 1.3 * size, text);
+    double below = write_paragraph(input, 1.3 * size, width, text);
     snprintf(text, sizeof text, gettext("offset: %.3g ulps"), hit.epsilon);
-    write_text(input, left, 2.5 * size, text);
+    below = write_paragraph(input, below, width, text);
     size_t count = collect_marks(&hit, drawing->tree, marks);
-    draw_marks(input, marks, count, 3 * size, width, height);
+    draw_marks(input, marks, count, below - 0.7 * size, width, height);
 }
 
 void ray_pane_draw(RayPane pane, const RayPaneInput *input, int width, int height) {

@@ -266,6 +266,9 @@ void window_toggle_presentation(Window *window);
 /** Sets what the window shows beside its pictures. */
 void window_set_state(Window *window, const WindowState *state);
 
+/** Shows for a while what to press: at the start, and after a lesson. */
+void window_set_hint(Window *window);
+
 /** Takes the hint away: the user has begun. */
 void window_end_hint(Window *window);
 

@@ -104,9 +104,6 @@ double window_progress_timeout(const Window *window, double now);
 /* --- messages: window_messages.c ----------------------------------------------------------------
  */
 
-/** Writes what a newcomer may press. */
-void window_set_hint(Window *window);
-
 /** Shows the messages at the lower edge: the newest one, else the hint. @param bottom Lower end of
  *  the room for them. */
 void window_show_messages(const Window *window, float bottom);

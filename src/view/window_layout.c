@@ -9,9 +9,9 @@
 /** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
  *  still 1/30 of the window, which can be read from the last row of a class. */
 static const float ROWS_BELOW_TOOLBAR = 26;
-/** The same with the panel of a lesson below the picture: the window does not grow for it, and its
- *  letters are still 1/30 of what is above it. */
-static const float ROWS_ABOVE_PANEL = 24;
+/** Rows of text that fill the height of the picture above the panel of a lesson: with the panel
+ * they are 30, so letters are 1/30 of the window there, too. */
+static const float ROWS_ABOVE_PANEL = 20;
 /** Smallest height of letters, screen units. */
 static const float TEXT_SIZE_MINIMUM = 14;
 /** Largest part of the window's height for the bar. */

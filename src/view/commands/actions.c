@@ -160,8 +160,27 @@ void action_toggle_settings(App *app, int argument) {
     window_toggle_settings(&app->window);
 }
 
+/** Says on the picture what a tool does that was chosen; a lesson says that itself. @param text In
+ *  English; NULL: the tool is gone. */
+static void explain_tool(App *app, const char *text) {
+    if (app->player.lesson) {
+        return;
+    }
+    if (text) {
+        window_set_toast(&app->window, gettext(text));
+    } else {
+        window_end_toast(&app->window);
+    }
+}
+
 void action_cycle_split(App *app, int step) {
+    static const char *const texts[] = {
+        [SPLIT_NONE] = NULL,
+        [SPLIT_BAR] = N_("settings change the picture with the arrow; T: the other one; drag the "
+                         "line between them"),
+        [SPLIT_DIFFERENCE] = N_("left minus right, pixel by pixel; X: one picture again")};
     window_cycle_split(&app->window, step);
+    explain_tool(app, texts[app->window.split.mode]);
 }
 
 void action_swap_side(App *app, int argument) {
@@ -181,6 +200,10 @@ void action_toggle_chart(App *app, int argument) {
 void action_toggle_magnifier(App *app, int argument) {
     (void)argument;
     window_toggle_magnifier(&app->window);
+    explain_tool(app, app->window.magnifier.is_on
+                          ? N_("the pixels around the mouse as squares; Ctrl and arrows: one "
+                               "beside; F4: away")
+                          : NULL);
 }
 
 /* --- the rays of one pixel -------------------------------------------------------------------- */
@@ -239,6 +262,16 @@ void action_select_thing(App *app, int step) {
     edits_select_next(app, step);
 }
 
+/** @return Whether the inspector has the keyboard. See #StatusHoldsFn. */
+static bool is_inspector_steered(const App *app) {
+    return gui_keyboard(app->window.gui) == GUI_INSPECTOR;
+}
+
+/** @return Whether the toolbar has the keyboard. See #StatusHoldsFn. */
+static bool is_toolbar_steered(const App *app) {
+    return gui_keyboard(app->window.gui) == GUI_BAR;
+}
+
 void action_take_keyboard(App *app, int argument) {
     (void)argument;
     if (!object_inspector_is_open(&app->window.object_inspector)) {
@@ -247,7 +280,9 @@ void action_take_keyboard(App *app, int argument) {
     if (object_inspector_is_open(&app->window.object_inspector) &&
         gui_give_keyboard(app->window.gui, GUI_INSPECTOR)) {
         window_present(&app->window);
-        app_set_status(app, "arrows: a field; Space, Enter: change it; Esc: the picture's keys");
+        app_set_status_while(
+            app, is_inspector_steered,
+            N_("arrows: a field; Space, Enter: change it; Esc: the picture's keys"));
     }
 }
 
@@ -261,7 +296,9 @@ void action_list_things(App *app, int argument) {
     edits_list(app);
     gui_take_keyboard(window->gui);
     if (gui_give_keyboard(window->gui, GUI_INSPECTOR)) {
-        app_set_status(app, "arrows: a thing; Space, Enter: choose it; Esc: the picture's keys");
+        app_set_status_while(
+            app, is_inspector_steered,
+            N_("arrows: a thing; Space, Enter: choose it; Esc: the picture's keys"));
     }
 }
 
@@ -273,7 +310,9 @@ void action_take_toolbar(App *app, int argument) {
     }
     if (!window->toolbar.is_folded && gui_give_keyboard(window->gui, GUI_BAR)) {
         window_present(window);
-        app_set_status(app, "arrows: a button; Space, Enter: press it; Esc: the picture's keys");
+        app_set_status_while(
+            app, is_toolbar_steered,
+            N_("arrows: a button; Space, Enter: press it; Esc: the picture's keys"));
     }
 }
 
@@ -369,6 +408,9 @@ void action_toggle_toolbar(App *app, int argument) {
 void action_toggle_presentation(App *app, int argument) {
     (void)argument;
     window_toggle_presentation(&app->window);
+    explain_tool(app, app->window.is_presenting
+                          ? N_("for a class: large letters, no toolbar; F5: as before")
+                          : NULL);
 }
 
 void action_toggle_full_screen(App *app, int argument) {

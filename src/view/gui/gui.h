@@ -71,6 +71,9 @@ bool gui_give_keyboard(Gui *gui, GuiKeyboard panel);
 /** Takes the keyboard back from the panel that has it, if any. @param gui NULL: does nothing. */
 void gui_take_keyboard(Gui *gui);
 
+/** @return What has the keyboard. @param gui NULL: the picture has it. */
+GuiKeyboard gui_keyboard(const Gui *gui);
+
 /** Scrolls the present panel. @param pages Pages down, less a line each; negative: up. */
 void gui_scroll_pages(int pages);
 

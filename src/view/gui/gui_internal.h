@@ -56,11 +56,12 @@ struct PickedColor {
     double value;      /**< The largest channel, encoded. */
 };
 
-/** When tooltips may come: once the mouse has moved on after a click, and rests on a widget. */
+/** When tooltips may come: once the mouse has moved on after a click or a key, and rests on a
+ *  widget. */
 struct MouseRest {
     ImVec2 place;     /**< Where the mouse is. */
     double since;     /**< Since when, seconds. */
-    bool has_clicked; /**< Whether it has not moved on since a click. */
+    bool has_clicked; /**< Whether it has not moved on since a click or a key. */
     ImVec2 click;     /**< Where that was. */
     ImRect silenced;  /**< The widget that was clicked, until the mouse leaves it. */
     ImRect hinted;    /**< The widget whose tooltip is shown, until the mouse leaves it. */
@@ -111,6 +112,9 @@ void take_keyboard(Gui *gui);
 /** Asks the system for letters while a number is typed, and only then: else a key that moves things
  *  would open its list of accents. */
 void update_text_input(Gui *gui);
+
+/** Takes the tooltip away, until the mouse moves on. */
+void silence_tooltips(MouseRest *rest);
 
 /** Follows the mouse, at the beginning of a frame. */
 void follow_mouse_rest(MouseRest *rest);

@@ -19,16 +19,18 @@ bool is_leaving(const SDL_Event *event) {
            !ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/** @return Whether an event is of a function key, or of a letter with Ctrl while no number is
- * typed: those are for the program. */
+/** @return Whether an event is of a function key, or of a letter while nothing is typed and no list
+ *  is open or Ctrl is held: those are for the program, as panels use none of them. */
 bool is_program_key(const SDL_Event *event) {
     if (event->type == SDL_TEXTINPUT) {
         return false;
     }
     const SDL_Keysym &key = event->key.keysym;
-    bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z && key.mod & KMOD_CTRL;
+    const bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
+    const bool is_free =
+        key.mod & KMOD_CTRL || !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     return (key.sym >= SDLK_F1 && key.sym <= SDLK_F12) ||
-           (is_letter && !ImGui::GetIO().WantTextInput);
+           (is_letter && is_free && !ImGui::GetIO().WantTextInput);
 }
 
 /**
@@ -128,6 +130,9 @@ bool handle_key_event(Gui *gui, const SDL_Event *event) {
         gui->plain_key = is_plain ? event->key.keysym.scancode : SDL_SCANCODE_UNKNOWN;
     }
     const bool has_panel = gui->keyboard != GUI_PICTURE;
+    if (event->type == SDL_KEYDOWN && !has_panel) {
+        silence_tooltips(&gui->rest); // Who presses keys looks at the picture.
+    }
     const bool is_typed = (ImGui::GetIO().WantTextInput || has_panel) && is_keyboard_event(event);
     if (is_typed && has_panel && is_leaving(event)) {
         take_keyboard(gui);
@@ -164,6 +169,10 @@ void gui_take_keyboard(Gui *gui) {
         ImGui::SetCurrentContext(gui->context);
         take_keyboard(gui);
     }
+}
+
+GuiKeyboard gui_keyboard(const Gui *gui) {
+    return gui ? gui->keyboard : GUI_PICTURE;
 }
 
 bool gui_awaits_frame(const Gui *gui) {

@@ -49,6 +49,18 @@ void draw_name(ImDrawList *list, ImVec2 center, const char *name) {
                 ImGui::GetFontSize());
 }
 
+/** @return The middle of the upper edge of a name behind an arrow, so that it touches the arrow at
+ *  most. @param start The middle of the arrow's base. @param direction Where it points, of length
+ *  1. */
+ImVec2 name_behind(ImVec2 start, GuiPoint direction, const char *name) {
+    const ImVec2 size = ImGui::CalcTextSize(name);
+    const float half = ARROW_LENGTH * ImGui::GetFontSize() / 3;
+    // How far the name's box reaches towards the arrow, and how far the base does along it.
+    const float reach =
+        fabsf(direction.x) * size.x / 2 + fabsf(direction.y) * size.y / 2 + half / 2;
+    return ImVec2(start.x - reach * direction.x, start.y - reach * direction.y - size.y / 2);
+}
+
 /** Puts the inspector at the right; at the left if it would lie on what it is about. It moves only
  *  for that: the user may have put it elsewhere. @param width Its width. */
 void place_inspector(const Gui *gui, const GuiInspectorPlace *place, float width) {
@@ -93,9 +105,7 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
     ImVec2 right(start.x + half * direction.y, start.y - half * direction.x);
     list->AddTriangleFilled(end, left, right, is_selected ? ACCENT : TEXT);
     list->AddTriangle(end, left, right, OUTLINE, 1.5F);
-    draw_name(list,
-              ImVec2(start.x - length * direction.x, start.y - length * direction.y - length / 2),
-              name);
+    draw_name(list, name_behind(start, direction, name), name);
 }
 
 bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,

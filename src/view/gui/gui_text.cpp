@@ -138,6 +138,12 @@ bool is_tooltip_due(MouseRest *rest) {
 
 } // namespace
 
+void silence_tooltips(MouseRest *rest) {
+    rest->has_clicked = true;
+    rest->click = ImGui::GetIO().MousePos;
+    rest->hinted = ImRect();
+}
+
 void follow_mouse_rest(MouseRest *rest) {
     const ImVec2 &mouse = ImGui::GetIO().MousePos;
     const float moved_on = MOVED_ON * ImGui::GetFontSize();
@@ -146,9 +152,7 @@ void follow_mouse_rest(MouseRest *rest) {
         rest->since = clock_now_seconds();
     }
     if (ImGui::IsAnyMouseDown()) {
-        rest->has_clicked = true;
-        rest->click = mouse;
-        rest->hinted = ImRect();
+        silence_tooltips(rest);
     } else if (hypotf(mouse.x - rest->click.x, mouse.y - rest->click.y) > moved_on) {
         rest->has_clicked = false;
     }

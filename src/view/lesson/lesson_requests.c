@@ -115,7 +115,7 @@ static void handle_card_request(App *app, LessonRequestKind kind) {
         play_again(app);
         break;
     case LESSON_REQUEST_CLOSE:
-        player_end(app);
+        player_close(app);
         break;
     default:
         break;

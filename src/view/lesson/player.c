@@ -74,6 +74,13 @@ void player_end(App *app) {
     }
 }
 
+void player_close(App *app) {
+    player_end(app);
+    if (app->window.gui) {
+        window_set_hint(&app->window);
+    }
+}
+
 /** Begins the lesson that was loaded with the scene on screen, if any. */
 static void take_loaded_lesson(App *app) {
     Lesson *lesson = app->source.lesson;
@@ -169,7 +176,7 @@ void player_update(App *app, double now) {
     Player *player = &app->player;
     take_loaded_lesson(app);
     if (player->is_leaving) {
-        player_end(app);
+        player_close(app);
     }
     if (!app_is_playing(app) || app_is_lesson_stopped(app)) {
         return;

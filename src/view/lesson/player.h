@@ -21,6 +21,9 @@ void player_begin(App *app);
 /** Ends the lesson, if any. */
 void player_end(App *app);
 
+/** Ends the lesson as its viewer wishes, who then has the picture: says what to press there. */
+void player_close(App *app);
+
 /** Opens a scene or a lesson, unless a lesson plays. @param path Its file. */
 void player_open_file(App *app, const char *path);
 

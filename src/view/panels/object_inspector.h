@@ -33,6 +33,8 @@ typedef struct ObjectInspector {
     bool lists;               /**< Whether all things are listed while none is selected. */
     bool has_chosen;          /**< Whether #chosen is known. */
     size_t chosen;            /**< What was chosen last in that list, see #thing_list_object. */
+    size_t open_first;        /**< First of the things of one line that are unfolded there. */
+    size_t open_end;          /**< Behind the last of them; 0: none is. */
     bool has_pixel;           /**< Whether it was selected by a click on a pixel. */
     bool is_by_mouse;         /**< Whether that was by the mouse, not by keys. */
     bool was_shown;           /**< Whether it was shown since it was selected. */

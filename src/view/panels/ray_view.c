@@ -402,7 +402,17 @@ static void update_flight(RayView *ray_view, double now) {
     ray_view->needs_present = true;
 }
 
+/** @return Whether anything is to be traced, written or drawn. */
+static bool is_due(const RayView *ray_view) {
+    bool can_draw = !ray_view->viewport.awaits_first_frame;
+    return ray_view->is_open &&
+           (ray_view->needs_trace || ray_view->needs_text || (ray_view->needs_draw && can_draw));
+}
+
 double ray_view_timeout(const RayView *ray_view, double now) {
+    if (is_due(ray_view)) {
+        return 0; // A button has opened it, and no other event may come.
+    }
     double delay = viewport_timeout(&ray_view->viewport, now);
     return ray_view->flight_start > 0 ? SDL_min(delay, FLIGHT_INTERVAL) : delay;
 }

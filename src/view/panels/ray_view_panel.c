@@ -51,7 +51,7 @@ void ray_view_write_text(RayView *ray_view, const RayViewInput *input, int x, in
                          encoder_encode(&encoder, (float)color->blue)};
     // The picture's pixel is the mean of its samples.
     snprintf(ray_view->heading, sizeof ray_view->heading,
-             gettext("Pixel %d %d, one ray: #%02x%02x%02x"), x, y, (unsigned)code[0],
+             gettext("Pixel (%d, %d), one ray: #%02x%02x%02x"), x, y, (unsigned)code[0],
              (unsigned)code[1], (unsigned)code[2]);
     ray_formulas_write(&formulas, ray_view->selected, &ray_view->formulas);
     localize_formulas(&ray_view->formulas);

@@ -15,6 +15,8 @@
 
 /** Bytes of a line with the final zero. */
 enum { LINE_SIZE = 128 };
+/** Fewest things of one line of the scene file that are folded into one row. */
+enum { FOLDED_MINIMUM = 10 };
 /** Linear light of the camera's colour. */
 static const Rgbd CAMERA_COLOR = {0.3, 0.3, 0.35};
 
@@ -53,7 +55,7 @@ static bool is_last_chosen(const ObjectInspector *inspector, size_t index) {
     return inspector->has_chosen && inspector->chosen == index;
 }
 
-/** Shows a row. @return Whether it was chosen. */
+/** Shows the row of a thing. @return Whether it was chosen. */
 static bool show_row(const ObjectInspector *inspector, const Scene *scene, size_t index) {
     char title[THING_TITLE_SIZE];
     unsigned char rgb[3];
@@ -64,22 +66,128 @@ static bool show_row(const ObjectInspector *inspector, const Scene *scene, size_
         thing_row_title(&object, title);
     }
     encode(color_of(scene, index), rgb);
-    return gui_list_row((int)index, title, 0, rgb, is_last_chosen(inspector, index), false);
+    return gui_list_row((int)index, title,
+                        index >= inspector->open_first && index < inspector->open_end, rgb,
+                        is_last_chosen(inspector, index), false);
+}
+
+/* --- things of one line ------------------------------------------------------------------------
+ */
+
+/** Things beside each other that one line of the scene file has made. */
+typedef struct ThingRun {
+    size_t first; /**< Index of the first. */
+    size_t end;   /**< Behind the last. */
+} ThingRun;
+
+/** @return The things of the line that made one. @param first The first of them. */
+static ThingRun run_at(const Scene *scene, size_t first) {
+    const size_t count = thing_list_count(scene);
+    ThingRun run = {first, first + 1};
+    if (first == THING_CAMERA || first >= count) {
+        return run;
+    }
+    const SceneObject object = thing_list_object(scene, first);
+    for (; run.end < count && object.origin->line > 0; run.end++) {
+        const SceneObject next = thing_list_object(scene, run.end);
+        if (next.keyword != object.keyword || next.origin->line != object.origin->line) {
+            break;
+        }
+    }
+    return run;
+}
+
+/** @return Whether things have a row together, as they are many. */
+static bool is_group(ThingRun run) {
+    return run.end - run.first >= FOLDED_MINIMUM;
+}
+
+/** @return Whether each thing has a row of its own. */
+static bool is_unfolded(const ObjectInspector *inspector, ThingRun run) {
+    return !is_group(run) || run.first == inspector->open_first;
+}
+
+/** @return The number of rows. @param wanted A thing. @param[out] row Its row, if it has one. */
+static size_t count_rows(const ObjectInspector *inspector, const Scene *scene, size_t wanted,
+                         size_t *row) {
+    size_t rows = 0;
+    for (ThingRun run = run_at(scene, 0); run.first < thing_list_count(scene);
+         run = run_at(scene, run.end)) {
+        rows += is_group(run);
+        if (wanted >= run.first && wanted < run.end) {
+            *row = rows + wanted - run.first;
+        }
+        rows += is_unfolded(inspector, run) ? run.end - run.first : 0;
+    }
+    return rows;
+}
+
+/** Unfolds the things among which one is. */
+static void unfold(ObjectInspector *inspector, const Scene *scene, size_t index) {
+    ThingRun run = run_at(scene, 0);
+    while (run.end <= index) {
+        run = run_at(scene, run.end);
+    }
+    if (is_group(run)) {
+        inspector->open_first = run.first;
+        inspector->open_end = run.end;
+    }
+}
+
+/** Shows the row of things together. @return Whether it was clicked. */
+static bool show_group(const ObjectInspector *inspector, const Scene *scene, ThingRun run) {
+    char title[THING_TITLE_SIZE];
+    unsigned char rgb[3];
+    const SceneObject object = thing_list_object(scene, run.first);
+    thing_group_title(&object, run.end - run.first, is_unfolded(inspector, run), title);
+    encode(color_of(scene, run.first), rgb);
+    return gui_list_row(-(int)run.first, title, 0, rgb, false, false);
+}
+
+/** Requests a thing that was chosen. */
+static void choose(ObjectInspector *inspector, size_t index) {
+    inspector->request = INSPECTOR_CHOOSE;
+    inspector->chosen = index;
+    inspector->has_chosen = true;
+    inspector->is_by_mouse = gui_is_mouse_released();
+}
+
+/** Shows the rows in sight. @param first The first of them. @param end Behind the last. @param
+ *  clicked Things whose row together was clicked; left as they are: none. */
+static void show_rows(ObjectInspector *inspector, const Scene *scene, size_t first, size_t end,
+                      ThingRun *clicked) {
+    size_t row = 0;
+    for (ThingRun run = run_at(scene, 0); run.first < thing_list_count(scene) && row < end;
+         run = run_at(scene, run.end)) {
+        if (is_group(run) && row++ >= first && show_group(inspector, scene, run)) {
+            *clicked = run;
+        }
+        for (size_t i = run.first; is_unfolded(inspector, run) && i < run.end; i++, row++) {
+            if (row >= first && row < end && show_row(inspector, scene, i)) {
+                choose(inspector, i);
+            }
+        }
+    }
 }
 
 void thing_list_show(ObjectInspector *inspector, const Scene *scene) {
     int first = 0, end = 0;
-    const bool is_new = !inspector->was_shown && inspector->has_chosen;
-    gui_rows_begin((int)thing_list_count(scene), is_new ? (int)inspector->chosen : -1);
+    size_t revealed = 0;
+    ThingRun clicked = {0, 0};
+    const bool is_new = !inspector->was_shown && inspector->has_chosen &&
+                        inspector->chosen < thing_list_count(scene);
+    if (is_new) {
+        unfold(inspector, scene, inspector->chosen);
+    }
+    const size_t count = count_rows(inspector, scene, inspector->chosen, &revealed);
+    gui_rows_begin((int)count, is_new ? (int)revealed : -1);
     while (gui_rows_next(&first, &end)) {
-        for (int i = first; i < end; i++) {
-            if (show_row(inspector, scene, (size_t)i)) {
-                inspector->request = INSPECTOR_CHOOSE;
-                inspector->chosen = (size_t)i;
-                inspector->has_chosen = true;
-                inspector->is_by_mouse = gui_is_mouse_released();
-            }
-        }
+        show_rows(inspector, scene, (size_t)first, (size_t)end, &clicked);
+    }
+    if (clicked.end > 0) { // Once more folds them.
+        const bool is_open = is_unfolded(inspector, clicked);
+        inspector->open_first = is_open ? 0 : clicked.first;
+        inspector->open_end = is_open ? 0 : clicked.end;
     }
 }
 

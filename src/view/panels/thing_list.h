@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief The list of all things of a scene, in the inspector: camera, lights, shapes.
+ * @brief The list of all things of a scene, in the inspector: camera, lights, shapes. Many things
+ * that one line of the scene file has made share a row, which unfolds.
  */
 #ifndef DIOPTRE_VIEW_PANELS_THING_LIST_H
 #define DIOPTRE_VIEW_PANELS_THING_LIST_H

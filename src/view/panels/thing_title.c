@@ -61,6 +61,13 @@ void thing_row_title(const SceneObject *object, char title[THING_TITLE_SIZE]) {
     }
 }
 
+void thing_group_title(const SceneObject *object, size_t count, bool is_open,
+                       char title[THING_TITLE_SIZE]) {
+    snprintf(title, THING_TITLE_SIZE, gettext("%s %s × %zu (line %d)"),
+             is_open ? "\xe2\x96\xbc" : "\xe2\x96\xb6",
+             scene_word(scene_object_keyword(object->keyword)->name), count, object->origin->line);
+}
+
 void shape_title(const Scene *scene, int shape, char title[THING_TITLE_SIZE]) {
     SceneObject object = scene_object_of_shape(scene, (size_t)shape);
     thing_title(scene, &object, title);

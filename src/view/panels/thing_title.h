@@ -21,6 +21,11 @@ void thing_short_title(const Scene *scene, const SceneObject *object, char title
  *  other row is looked at. */
 void thing_row_title(const SceneObject *object, char title[THING_TITLE_SIZE]);
 
+/** Names objects that one line of the scene file has made together: `▶ sphere × 120 (line 35)`.
+ *  @param object One of them. @param is_open Whether each is named below, too. */
+void thing_group_title(const SceneObject *object, size_t count, bool is_open,
+                       char title[THING_TITLE_SIZE]);
+
 /** Names a shape. See #thing_title. @param shape Its index. */
 void shape_title(const Scene *scene, int shape, char title[THING_TITLE_SIZE]);
 

@@ -17,6 +17,7 @@ const PARTS = {
   access: require("./access.js"),
   firefox: require("./firefox.js"),
   keys: require("./keys.js"),
+  hostile: require("./hostile.js"),
   bits: require("./bits.js"),
 };
 /** Parts that run only when they are named: `speed` is no test. */

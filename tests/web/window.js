@@ -52,6 +52,9 @@ const testErrors = async (page, text) => {
   await page.waitForFunction(() => document.getElementById("errors").textContent === "", null, { timeout: PATIENCE });
   await editText(page, "while true do end");
   check(true, `an endless loop ends: ${await waitError(page, /10 s/)}`);
+  await editText(page, "local s = ('a'):rep(60); return s:find(('a?'):rep(60) .. s)");
+  await page.waitForFunction(() => document.getElementById("errors").textContent === "", null, { timeout: PATIENCE });
+  check(true, `so does a pattern without end, which runs no Lua: ${await waitError(page, /10 s/)}`);
   await editText(page, "local s = 'x' while true do s = s .. s end");
   check(true, `memory has its limit: ${await waitError(page, /MiB|memory/)}`);
 };

@@ -8,6 +8,7 @@ const PARTS = {
   window: windows.window,
   host: windows.host,
   single: windows.single,
+  layers: require("./layers.js"),
   links: require("./links.js"),
   editor: require("./editor.js"),
   lesson: require("./lesson.js"),

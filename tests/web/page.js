@@ -17,8 +17,8 @@ const PARTS = {
   layout: require("./layout.js"),
   access: require("./access.js"),
   firefox: require("./firefox.js"),
-  keys: require("./keys.js"),
   hostile: require("./hostile.js"),
+  keys: require("./keys.js"),
   bits: require("./bits.js"),
 };
 /** Parts that run only when they are named: `speed` is no test. */

@@ -117,25 +117,44 @@ const testWindow = async (browser, url, mode) => {
   await page.context().close();
 };
 
-/** A host that sends no headers: the service worker does; afterwards the page works without network. */
-const testPlainHost = async (browser) => {
-  const { server, url } = await serve(false);
+/** A visit to a host; afterwards the page works without network, commands with their own program, too. */
+const testVisit = async (browser, isHosting) => {
+  const { server, url } = await serve(isHosting);
   const problems = [];
-  const page = await openPage(browser, `${url}index.html`, problems, { locale: "fr-FR" });
-  check(await page.evaluate(() => self.crossOriginIsolated), "a plain host: isolated by the service worker");
+  const page = await openPage(browser, isHosting ? `${url}index.html` : url, problems, { locale: "fr-FR" });
+  check(await page.evaluate(() => self.crossOriginIsolated), isHosting ? "a host that sends headers" : "a plain host: isolated by the service worker");
   check(await page.evaluate(() => document.documentElement.lang) === "fr", "French by the browser's language");
-  const complete = () => page.waitForFunction(() => document.body.dataset.complete === "yes", null, { timeout: PATIENCE });
-  await complete();
-  await page.reload();
-  await complete();
+  await page.waitForFunction(() => document.body.dataset.kept === "yes", null, { timeout: PATIENCE });
   await page.context().setOffline(true);
   server.closeAllConnections();
   await new Promise((resolve) => server.close(resolve));
   await page.reload();
-  await complete();
-  check(true, "it starts without network after the first visits");
+  await page.waitForFunction(() => document.body.dataset.complete === "yes", null, { timeout: PATIENCE });
+  check(true, "it starts without network after the first visit");
+  await page.click("#commands");
+  await page.click("#run");
+  await page.waitForFunction(() => /terminé/.test(document.getElementById("status").textContent), null, { timeout: PATIENCE });
+  check(/sphere/.test(await page.textContent("#output")), "a command runs without network");
   check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
   await page.context().close();
+};
+/** A file that does not come is said, as long as nothing else can be done. */
+const testLost = async (browser) => {
+  const { server, url } = await serve(true);
+  for (const lost of ["dioptre.wasm", "files.json", "dioptre.js"]) {
+    const page = await browser.newPage();
+    await page.route(`**/${lost}`, (route) => route.abort());
+    await page.goto(`${url}index.html`);
+    await page.waitForFunction(() => /could not be loaded/.test(document.getElementById("message").textContent), null, { timeout: PATIENCE });
+    check(true, `without ${lost}: ${await page.textContent("#message")}`);
+    await page.close();
+  }
+  server.close();
+};
+const testHosts = async (browser) => {
+  await testVisit(browser, false);
+  await testVisit(browser, true);
+  await testLost(browser);
 };
 
 /** Where no shared memory is: a server without https, which is no localhost, and a file. */
@@ -160,6 +179,6 @@ module.exports = {
     await testWindow(browser, `${url}index.html`, "threads");
     server.close();
   },
-  host: testPlainHost,
+  host: testHosts,
   single: testOneThread,
 };

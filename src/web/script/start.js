@@ -4,7 +4,7 @@ import { readFile, isOneFile } from "./files.js";
 import { listenToKeys } from "./keys.js";
 import { pack, unpack } from "./link.js";
 import { createPanel } from "./panel.js";
-import { chooseMode, loadProgram, loadScript, startProgram } from "./program.js";
+import { chooseMode, keepFiles, loadProgram, loadScript, startProgram } from "./program.js";
 import { isFrench, say, translate } from "./words.js";
 
 const SCENES = "/scenes/";
@@ -289,6 +289,7 @@ const afterPicture = async (later) => {
     await fetchFile(name);
   }
   document.body.dataset.complete = "yes";
+  keepFiles();
 };
 
 /** Prepares the files of the program before it starts. */
@@ -377,4 +378,7 @@ const start = async () => {
   await afterPicture(files.later);
 };
 
-start();
+start().catch((error) => {
+  console.info(error);
+  setMessage(say("The page could not be loaded. Reload it to try again."));
+});

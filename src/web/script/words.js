@@ -27,6 +27,7 @@ const FRENCH = {
     "Le programme est terminé. Rechargez la page pour le relancer.",
   "The program has failed. Reload the page to start it again.":
     "Le programme a échoué. Rechargez la page pour le relancer.",
+  "The page could not be loaded. Reload it to try again.": "La page n’a pas pu être chargée. Rechargez-la pour réessayer.",
   "The scene is too long for a link. Send its file instead.": "La scène est trop longue pour un lien. Envoyez plutôt son fichier.",
   "The link is refused: it is too long.": "Le lien est refusé\u00a0: il est trop long.",
   "The link is refused: it unpacks to more than 1 MB.": "Le lien est refusé\u00a0: décompressé, il dépasse 1 Mo.",

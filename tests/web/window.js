@@ -1,8 +1,52 @@
 // The window in the page: keys, editing, errors, hostile scenes, completion, snapshots.
 "use strict";
 
-const { PATIENCE, SCHOOL, check, editText, editorText, launchAtSchool, openPage, pause, pixels, serve, settled, waitError } = require("./browser.js");
+const { PATIENCE, SCHOOL, check, editText, editorText, launchAtSchool, openPage, pause, pixels, ready, screenshot, serve, settled, waitError } = require("./browser.js");
 const fs = require("fs");
+
+/** The letter of the key that opens the list is not typed into its search, however late the browser tells it. */
+const testOpeningKey = async (page) => {
+  const send = (type, init) => page.evaluate(([type, init]) =>
+    document.getElementById("canvas").dispatchEvent(new KeyboardEvent(type, { bubbles: true, cancelable: true, key: "f", code: "KeyF", ...init })), [type, init]);
+  await page.focus("#canvas");
+  await send("keydown", { keyCode: 70 });
+  await settled(page);
+  await send("keypress", { charCode: 102, keyCode: 102 });
+  await send("keyup", { keyCode: 70 });
+  await page.keyboard.type("lamps");
+  await settled(page);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.getElementById("scenes").value === "lamps.lua", null, { timeout: PATIENCE });
+  check(true, "but not that of the key which opens it");
+};
+
+/** @return The hash of the help, which draws the keyboard. @param layout What the browser says of it: [[code, letter]]. */
+const helpWith = async (browser, url, layout) => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "fr-FR" }), page = await context.newPage();
+  await page.addInitScript((entries) => {
+    Object.defineProperty(navigator, "keyboard", { value: { getLayoutMap: async () => new Map(entries) } });
+  }, layout);
+  await page.goto(url);
+  await ready(page);
+  await page.focus("#canvas");
+  await page.keyboard.press("F1");
+  const help = await settled(page);
+  await screenshot(page, `help-${layout.length}`);
+  return { help, page };
+};
+/** The help draws the keyboard in use: as the browser tells, as the language lets expect, as its keys write. */
+const testLayouts = async (browser, url) => {
+  const qwerty = [..."abcdefghijklmnopqrstuvwxyz"].map((letter) => ["Key" + letter.toUpperCase(), letter]);
+  const azerty = qwerty.map(([code, letter]) => [code, { a: "q", q: "a", w: "z", z: "w", m: "," }[letter] ?? letter]).concat([["Semicolon", "m"],
+    ["Comma", ";"], ["Period", ":"], ["Slash", "!"], ["Minus", ")"], ["BracketLeft", "^"], ["BracketRight", "$"], ["Quote", "ù"], ["Backquote", "²"]]);
+  const french = await helpWith(browser, url, azerty), guessed = await helpWith(browser, url, []), english = await helpWith(browser, url, qwerty);
+  check(french.help === guessed.help && french.help !== english.help, "the help draws the keyboard that the browser tells, or that of the language");
+  for (const [code, key] of azerty) {
+    await english.page.evaluate(([code, key]) => document.body.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, code, key })), [code, key]);
+  }
+  check(await settled(english.page) === french.help, "or whose keys are pressed");
+  await Promise.all([french, guessed, english].map(({ page }) => page.context().close()));
+};
 
 const testKeys = async (page) => {
   const first = await settled(page);
@@ -26,6 +70,7 @@ const testKeys = async (page) => {
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.getElementById("scenes").value === "glass-sphere.lua", null, { timeout: PATIENCE });
   check(true, "letters are typed into the list of scenes");
+  await testOpeningKey(page);
   await page.selectOption("#scenes", "box.lua");
   await page.waitForFunction(() => /scene box;/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
   await page.focus("#canvas");
@@ -179,6 +224,7 @@ module.exports = {
     await testWindow(browser, `${url}index.html`, "threads");
     server.close();
   },
+    await testLayouts(browser, `${url}index.html`);
   host: testHosts,
   single: testOneThread,
 };

@@ -1,6 +1,7 @@
 // Starts the page: loads the program, and ties the scene's text to its window.
 import { describe } from "./description.js";
 import { readFile, isOneFile } from "./files.js";
+import { watchLayout } from "./keyboard.js";
 import { listenToKeys } from "./keys.js";
 import { pack, unpack } from "./link.js";
 import { createPanel } from "./panel.js";
@@ -88,9 +89,15 @@ const showScene = (path) => {
   } else if (opened && path === SCENES + opened.name + ".lua") {
     opened.view && module.ccall("web_set_state", null, ["string"], [opened.view]);
     opened = null;
+/** Whether the window, which has one now, knows the keyboard. */
+let hasLayout = false;
   }
 };
 
+  if (!hasLayout) {
+    hasLayout = true;
+    watchLayout((place, letter) => module._web_set_key(place, letter));
+  }
 /** Writes the text of the editor, and tells the window. */
 const applyText = () => {
   clearErrors();

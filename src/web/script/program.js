@@ -30,12 +30,15 @@ const isReloading = async () => {
   return false;
 };
 
-/** Lets the service worker keep all files of the page for a time without network; body's data say when it has them. */
+/** Lets the service worker, and one that replaces it, keep all files of the page for a time without network; body's data say when it has
+ * them. */
 export const keepFiles = async () => {
-  const workers = serviceWorkers(), registration = await workers?.ready;
-  if (registration) {
+  const workers = serviceWorkers();
+  const ask = async () => (workers.controller ?? (await workers.ready).active)?.postMessage("keep");
+  if (workers) {
     workers.onmessage = () => { document.body.dataset.kept = "yes"; };
-    registration.active.postMessage("keep");
+    workers.oncontrollerchange = ask;
+    await ask();
   }
 };
 

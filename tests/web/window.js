@@ -169,6 +169,8 @@ const testVisit = async (browser, isHosting) => {
   const page = await openPage(browser, isHosting ? `${url}index.html` : url, problems, { locale: "fr-FR" });
   check(await page.evaluate(() => self.crossOriginIsolated), isHosting ? "a host that sends headers" : "a plain host: isolated by the service worker");
   check(await page.evaluate(() => document.documentElement.lang) === "fr", "French by the browser's language");
+  const names = await page.locator("#scenes option").allTextContents();
+  check(["boîte", "échecs", "Les ombres"].every((name) => names.includes(name)), `the list has French names: ${names.slice(0, 3)}, ${names.slice(-3)}`);
   await page.waitForFunction(() => document.body.dataset.kept === "yes", null, { timeout: PATIENCE });
   await page.context().setOffline(true);
   server.closeAllConnections();
@@ -222,9 +224,9 @@ module.exports = {
   window: async (browser) => {
     const { server, url } = await serve(true);
     await testWindow(browser, `${url}index.html`, "threads");
+    await testLayouts(browser, `${url}index.html`);
     server.close();
   },
-    await testLayouts(browser, `${url}index.html`);
   host: testHosts,
   single: testOneThread,
 };

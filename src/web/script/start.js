@@ -47,6 +47,17 @@ const clearErrors = () => {
 };
 
 const addScene = (name, list = $("scenes")) => list.append(new Option(name.split("/").pop().replace(/\.lua$/, ""), name));
+/** @return What a scene or lesson is called in the language of the page, from its text; empty: as its file. */
+const titleOf = (text) => {
+  const language = isFrench ? "fr" : "en";
+  return (new RegExp(`^-- ${language} name: (.+)$`, "m").exec(text) ?? new RegExp(`^  title = \\{.*?\\b${language} = "([^"]+)"`, "m").exec(text))?.[1] ?? "";
+};
+/** The list names scenes and lessons as the window does. */
+const nameScenes = () => {
+  for (const option of $("scenes").options) {
+    option.text = titleOf(module.FS.readFile(SCENES + option.value, { encoding: "utf8" })) || option.text;
+  }
+};
 /** The list shows the scene whose text the editor has. */
 const showName = () => {
   const name = shown.slice(SCENES.length);
@@ -78,9 +89,15 @@ const showFile = (path) => {
 /** Opens a file in the window. */
 const openFile = (path) => module.ccall("web_open", null, ["string"], [path]);
 
+/** Whether the window, which has one now, knows the keyboard. */
+let hasLayout = false;
 /** Shows the text of the scene that the window shows. */
 const showScene = (path) => {
   setMessage("");
+  if (!hasLayout) {
+    hasLayout = true;
+    watchLayout((place, letter) => module._web_set_key(place, letter));
+  }
   drawn = path;
   showFile(faulty ?? path);
   if (faulty) {
@@ -89,15 +106,9 @@ const showScene = (path) => {
   } else if (opened && path === SCENES + opened.name + ".lua") {
     opened.view && module.ccall("web_set_state", null, ["string"], [opened.view]);
     opened = null;
-/** Whether the window, which has one now, knows the keyboard. */
-let hasLayout = false;
   }
 };
 
-  if (!hasLayout) {
-    hasLayout = true;
-    watchLayout((place, letter) => module._web_set_key(place, letter));
-  }
 /** Writes the text of the editor, and tells the window. */
 const applyText = () => {
   clearErrors();
@@ -281,6 +292,7 @@ const listen = () => {
 /** Once the first picture is there: the words of the editor, pictures and models. */
 const afterPicture = async (later) => {
   await picture;
+  nameScenes();
   await loadScript("editor.js");
   const pointer = module._web_words();
   editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);

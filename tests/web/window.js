@@ -87,6 +87,30 @@ const testKeys = async (page) => {
   check(await page.textContent("#message") === "", "neither Esc nor Ctrl+Q ends the program, which would leave a dead page");
 };
 
+/** Dragging looks around, the wheel narrows the view, a click selects; two things of the description tell where the camera looks. */
+const testMouse = async (page) => {
+  const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+  const label = () => page.getAttribute("#canvas", "aria-label"), before = await label(), at = (right, down) => [x + right * width, y + down * height];
+  const first = await settled(page);
+  await page.mouse.move(...at(0.5, 0.3));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.65, 0.35), { steps: 8 });
+  await page.mouse.up();
+  await page.waitForFunction((old) => document.getElementById("canvas").getAttribute("aria-label") !== old, before, { timeout: PATIENCE });
+  check(/looks along \(-?0\.[1-9]/.test(await label()), `dragging looks around: ${/looks along [^;]*/.exec(await label())}`);
+  const turned = await settled(page);
+  await page.mouse.wheel(0, -300);
+  const narrowed = await settled(page);
+  check(turned !== first && narrowed !== turned, "the wheel narrows the view");
+  await page.keyboard.press("Home");
+  await page.waitForFunction((old) => document.getElementById("canvas").getAttribute("aria-label") === old, before, { timeout: PATIENCE });
+  const closed = await settled(page);
+  await page.mouse.click(...at(0.4, 0.78));
+  check(await settled(page) !== closed, "a click selects a thing");
+  await page.focus("#canvas");
+  await page.keyboard.press("Escape");
+};
+
 const testErrors = async (page, text) => {
   await editText(page, text.replace("camera", "camra"));
   const error = await waitError(page, /:\d+: /);
@@ -155,6 +179,7 @@ const testWindow = async (browser, url, mode) => {
   const text = await editorText(page);
   check(text === fs.readFileSync("scenes/box.lua", "utf8"), "the editor shows the text of the box");
   await testDescription(page, text);
+  await testMouse(page);
   await testKeys(page);
   await testErrors(page, text);
   await testCompletion(page, text);

@@ -42,8 +42,9 @@ const FRENCH = {
   "ended with %d": "terminé avec %d",
   "CPU seconds a megapixel": "secondes de processeur par mégapixel",
   "error, rms of linear light": "erreur quadratique moyenne, lumière linéaire",
-  "The tables are written. A page has no gnuplot: it draws the charts of dioptre chart itself, and none of dioptre lab.":
-    "Les tableaux sont écrits. Une page n’a pas gnuplot\u00a0: elle trace elle-même les graphiques de dioptre chart, aucun de dioptre lab.",
+  "The tables are written. A page has no gnuplot: it draws their charts itself.":
+    "Les tableaux sont écrits. Une page n’a pas gnuplot\u00a0: elle trace elle-même leurs graphiques.",
+  "largest": "la plus grande",
   "done": "terminé",
   "running …": "en cours…",
 };

@@ -54,7 +54,7 @@ const titleOf = (text) => {
 };
 /** The list names scenes and lessons as the window does. */
 const nameScenes = () => {
-  for (const option of $("scenes").options) {
+  for (const option of [...$("scenes").options].filter(({ value }) => module.FS.analyzePath(SCENES + value).exists)) {
     option.text = titleOf(module.FS.readFile(SCENES + option.value, { encoding: "utf8" })) || option.text;
   }
 };
@@ -150,11 +150,12 @@ const onError = (line) => {
   }
 };
 
-/** Opens a scene in the window. */
-const openScene = (name) => {
+/** Opens a scene in the window; what comes behind the first picture is there before. @param later Names of such files beside it. */
+const openScene = async (name, later = []) => {
   endEdit();
-  openFile(SCENES + name);
   $("canvas").focus();
+  await Promise.all(later.filter((each) => each.split("/")[0] === name.split("/")[0]).map(fetchFile));
+  openFile(SCENES + name);
 };
 
 const offerDownload = (name, bytes) => {
@@ -220,7 +221,7 @@ const drop = async (event) => {
     module.FS.writeFile(SCENES + nameOf(file), new Uint8Array(await file.arrayBuffer()));
   }
   // Once all of them are there: a scene may name the others.
-  files.map(nameOf).filter((name) => /\.(lua|nff)$/.test(name)).forEach(openScene);
+  files.map(nameOf).filter((name) => /\.(lua|nff)$/.test(name)).forEach((name) => openScene(name));
   module._web_file_changed();
 };
 
@@ -261,13 +262,13 @@ const fitCanvas = () => {
   new MutationObserver(() => fitSoon(FIT_TRIES, 0)).observe(canvas, { attributeFilter: ["width", "height"] });
 };
 
-const listen = () => {
+const listen = (later) => {
   fitCanvas();
   $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
   $("scenes").addEventListener("change", () => {
     const name = $("scenes").value;
     showName(); // Until it is opened: a lesson that plays keeps to its scene.
-    openScene(name);
+    openScene(name, later);
   });
   $("share").addEventListener("click", () => module._web_ask_state());
   $("hide").addEventListener("click", () => toggle("hide", "editor"));
@@ -307,6 +308,7 @@ const afterPicture = async (later) => {
   for (const name of later) {
     await fetchFile(name);
   }
+  nameScenes();
   document.body.dataset.complete = "yes";
   keepFiles();
 };
@@ -319,7 +321,7 @@ const prepare = (later) => (started) => {
   started.ENV.SDL_EMSCRIPTEN_KEYBOARD_ELEMENT = "#canvas";
   started.ENV.SDL_EMSCRIPTEN_ASYNCIFY = "0";
   started.FS.chdir(HOME);
-  for (const folder of ["pictures", "models"]) {
+  for (const folder of new Set(later.map((name) => name.split("/")[0]))) {
     started.FS.mkdirTree(SCENES + folder);
   }
   if (opened) {
@@ -393,7 +395,7 @@ const start = async () => {
     },
   });
   await launch(opened ? opened.name : "box");
-  listen();
+  listen(files.later);
   await afterPicture(files.later);
 };
 

@@ -1,7 +1,8 @@
 /**
  * @file
- * @brief Panels in windows that are too narrow for them: a row of no width must not end the
- * program.
+ * @brief What must not end the program, though Dear ImGui does not expect it: panels in windows that
+ * are too narrow for them, where a row has no width; a thing that is chosen while the keyboard is
+ * the inspector's, but the focus is not.
  */
 #include "no_thumbnails.h"
 #include "window_texts.h"
@@ -54,27 +55,62 @@ static void test_list(void **state) {
     browser_close(browser);
 }
 
+/** Opens the inspector of a shape. @param shape Its index. */
+static void open_inspector(Fixture *fixture, size_t shape) {
+    const SceneObject object = scene_object_of_shape(fixture->scene, shape);
+    fixture->window.object_inspector =
+        (ObjectInspector){.keyword = object.keyword, .number = object.origin->number};
+}
+
+/** Calls a function while the inspector of the first shape is open. */
+static void while_inspecting(Fixture *fixture, void (*function)(Fixture *fixture)) {
+    Window *window = &fixture->window;
+    EditHistory edits = {0};
+    bool is_light_moved[8] = {0};
+    window->state.edits = &edits;
+    window->state.is_light_moved = is_light_moved;
+    open_inspector(fixture, 0);
+    function(fixture);
+    window->object_inspector = (ObjectInspector){0};
+    window->state.edits = NULL;
+    window->state.is_light_moved = NULL;
+    edit_history_deinit(&edits);
+}
+
 /** The inspector of a shape, beside a legend. */
 static void test_inspector(void **state) {
     Fixture *fixture = *state;
     if (!fixture) {
         skip();
     }
+    fixture->window.viewports[0].report.layer.layer = LAYER_ACNE;
+    while_inspecting(fixture, draw_narrow);
+    fixture->window.viewports[0].report.layer.layer = LAYER_SHADED;
+}
+
+/** Gives the inspector the keyboard, and takes the focus away by a click beside all panels; then
+ * another shape is chosen. */
+static void choose_another(Fixture *fixture) {
     Window *window = &fixture->window;
-    EditHistory edits = {0};
-    bool is_light_moved[8] = {0};
-    const SceneObject object = scene_object_of_shape(fixture->scene, 0);
-    window->state.edits = &edits;
-    window->state.is_light_moved = is_light_moved;
-    window->viewports[0].report.layer.layer = LAYER_ACNE;
-    window->object_inspector =
-        (ObjectInspector){.keyword = object.keyword, .number = object.origin->number};
-    draw_narrow(fixture);
-    window->viewports[0].report.layer.layer = LAYER_SHADED;
-    window->object_inspector = (ObjectInspector){0};
-    window->state.edits = NULL;
-    window->state.is_light_moved = NULL;
-    edit_history_deinit(&edits);
+    window_present(window);
+    assert_true(gui_give_keyboard(window->gui, GUI_INSPECTOR));
+    window_present(window);
+    const SDL_Event click = {.button = {.type = SDL_MOUSEBUTTONDOWN, .button = SDL_BUTTON_LEFT}};
+    gui_handle_event(window->gui, &click);
+    window_present(window);
+    open_inspector(fixture, 1);
+    window_present(window);
+    gui_take_keyboard(window->gui);
+    window_present(window);
+}
+
+/** Another thing is chosen while the keyboard is the inspector's, and the focus is not. */
+static void test_lost_focus(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    while_inspecting(fixture, choose_another);
 }
 
 /** Questions and explanations of a lesson, and its end card. */
@@ -111,6 +147,7 @@ int main(void) {
         cmocka_unit_test(test_help),
         cmocka_unit_test(test_list),
         cmocka_unit_test(test_inspector),
+        cmocka_unit_test(test_lost_focus),
         cmocka_unit_test(test_lesson),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);

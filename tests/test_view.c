@@ -1123,7 +1123,7 @@ static void test_readout(void **state) {
     scene_destroy(scene);
 }
 
-/** @return The legend of a layer, of which a quarter is measured. */
+/** @return The legend of a layer, of which a quarter is measured; rounding is not. */
 static Legend legend_of(const Scene *scene, Layer layer, double low, double high,
                         bool is_finished) {
     Error error = {0};
@@ -1138,8 +1138,12 @@ static Legend legend_of(const Scene *scene, Layer layer, double low, double high
                                     .artifact_pixels = 3,
                                     .measured_fraction = 0.25,
                                     .reference = layer == LAYER_ERROR ? "f128x1" : NULL}};
-    LegendContent content = {
-        .scene = scene, .report = &report, .settings = &settings, .marks = &marks, .progress = 0.4};
+    LegendContent content = {.scene = scene,
+                             .report = &report,
+                             .settings = &settings,
+                             .marks = &marks,
+                             .progress = 0.4,
+                             .cannot_round = true};
     Legend legend;
     legend_write(&content, &legend);
     return legend;
@@ -1162,6 +1166,8 @@ static void test_legend(void **state) {
     error = legend_of(scene, LAYER_ERROR, 0, 1, true);
     assert_string_equal(error.notes[0], "off by over a step: 3 (0.3 %)");
     assert_string_equal(error.notes[1], "reference: quad (f128x1)");
+    Legend rounding = legend_of(scene, LAYER_ROUNDING, 0, 1, true);
+    assert_string_equal(rounding.notes[0], "not measured: numbers round to nearest only here");
     Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
     assert_false(steps.has_bar);
     assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");

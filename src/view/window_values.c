@@ -2,6 +2,7 @@
  * @file
  * @brief Values over the picture: legends, rings around artefacts, the magnifier, the chart.
  */
+#include "render/rounding_witness.h"
 #include "view/panels/legend.h"
 #include "view/panels/pixel_readout.h"
 #include "view/window_internal.h"
@@ -107,7 +108,8 @@ static void show_legends(Window *window) {
                                  .settings = &viewport->settings,
                                  .marks = &viewport->marks,
                                  .difference = is_difference ? &window->split.difference : NULL,
-                                 .progress = renderer_progress(viewport->renderer)};
+                                 .progress = renderer_progress(viewport->renderer),
+                                 .cannot_round = !rounding_is_supported()};
         legend_write(&content, &legend);
         if (legend.title[0] != '\0') {
             window->legend_rects[i] =

@@ -17,7 +17,7 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
 /** Serves the page. With isHosting the host sends the headers of isolation; else the page must help itself. */
 const serve = (isHosting) => new Promise((resolve) => {
   const server = http.createServer((request, response) => {
-    const file = path.join(ROOT, path.normalize(decodeURIComponent(new URL(request.url, "http://x").pathname)));
+    const file = path.join(ROOT, path.normalize(decodeURIComponent(new URL(request.url, "http://x").pathname).replace(/\/$/, "/index.html")));
     if (!file.startsWith(ROOT) || !fs.existsSync(file) || fs.statSync(file).isDirectory()) {
       response.writeHead(404);
       response.end();

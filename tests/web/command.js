@@ -10,15 +10,15 @@ const openEmpty = async (browser) => {
 };
 
 /**
- * Runs a command line of the program in an empty page.
+ * Runs a command line of the program in an empty page, which has a canvas for a window.
  * @param program Its script.
- * @param output  The file that it writes; null: none.
+ * @param output  The file that it writes, or an array of them; null: none.
  * @param files   [[path, Buffer]] that it finds besides those of the page.
- * @return { lines, bytes }: what it says, and the file.
+ * @return { lines, bytes, all }: what it says, the first file, and all.
  */
 const runCommand = async (page, url, program, command, output, files = []) => {
   await page.goto(`${url}empty.html`);
-  const { lines, base64 } = await page.evaluate(async ({ program, command, output, texts }) => {
+  const { lines, made } = await page.evaluate(async ({ program, command, outputs, texts }) => {
     const late = (await (await fetch("files.json")).json()).later;
     await new Promise((resolve, reject) => {
       const script = document.createElement("script");
@@ -28,13 +28,18 @@ const runCommand = async (page, url, program, command, output, files = []) => {
       document.head.append(script);
     });
     const lines = [];
-    const bytes = await new Promise((resolve, reject) => {
+    const canvas = document.body.appendChild(document.createElement("canvas"));
+    canvas.id = "canvas";
+    const made = await new Promise((resolve, reject) => {
       let module = null;
       createDioptre({
+        canvas,
         arguments: command,
         locateFile: (file) => file.replace("-single.data", ".data"),
         preRun: [(started) => {
           module = started;
+          Object.assign(module.ENV, { SDL_RENDER_DRIVER: "software", SDL_EMSCRIPTEN_KEYBOARD_ELEMENT: "#canvas", SDL_EMSCRIPTEN_ASYNCIFY: "0" });
+          outputs.forEach((path) => module.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")) || "/"));
           module.addRunDependency("files");
           Promise.all(late.map(async (name) => {
             const response = await fetch("scenes/" + name);
@@ -46,16 +51,20 @@ const runCommand = async (page, url, program, command, output, files = []) => {
         print: (line) => lines.push(line),
         printErr: (line) => lines.push(line),
         onAbort: (what) => reject(new Error(String(what) + lines.join("\n"))),
-        onExit: (status) => status === 0 ? resolve(output ? Array.from(module.FS.readFile(output)) : []) : reject(new Error(lines.join("\n"))),
+        onExit: (status) => status === 0 ? resolve(outputs.map((path) => module.FS.readFile(path))) : reject(new Error(lines.join("\n"))),
       });
     });
-    let binary = "";
-    for (let i = 0; i < bytes.length; i += 4096) {
-      binary += String.fromCharCode(...bytes.slice(i, i + 4096));
-    }
-    return { lines, base64: btoa(binary) };
-  }, { program, command, output, texts: files.map(([path, bytes]) => [path, bytes.toString("base64")]) });
-  return { lines, bytes: Buffer.from(base64, "base64") };
+    const base64 = (bytes) => {
+      let binary = "";
+      for (let i = 0; i < bytes.length; i += 4096) {
+        binary += String.fromCharCode(...bytes.slice(i, i + 4096));
+      }
+      return btoa(binary);
+    };
+    return { lines, made: made.map(base64) };
+  }, { program, command, outputs: output ? [output].flat() : [], texts: files.map(([path, bytes]) => [path, bytes.toString("base64")]) });
+  const all = made.map((text) => Buffer.from(text, "base64"));
+  return { lines, bytes: all[0] ?? Buffer.alloc(0), all };
 };
 
 module.exports = { openEmpty, runCommand };

@@ -24,17 +24,17 @@ const isFilled = (page) => page.evaluate(() => {
   return isExact && column.filter((byte, i) => i % 4 < 3 && byte > 0).length > 0;
 });
 
-/** One finger drags over the picture. */
-const drag = async (page) => {
+/** Fingers move over the picture. @param paths Of each finger: from and to, shares of the picture. */
+const moveFingers = async (page, paths) => {
   const box = await page.locator("#canvas").boundingBox();
   const client = await page.context().newCDPSession(page);
-  const touch = (type, x, y) => client.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
-  const x = box.x + box.width / 2, y = box.y + box.height * 0.7;
-  await touch("touchStart", x, y);
+  const touch = (type, share) => client.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : paths.map(([from, to], id) =>
+    ({ id, x: box.x + box.width * (from[0] + share * (to[0] - from[0])), y: box.y + box.height * (from[1] + share * (to[1] - from[1])) })) });
+  await touch("touchStart", 0);
   for (let i = 1; i <= 10; i++) {
-    await touch("touchMove", x + 8 * i, y);
+    await touch("touchMove", i / 10);
   }
-  await touch("touchEnd", 0, 0);
+  await touch("touchEnd", 1);
 };
 
 /** What holds in each browser and size. @return The hash of the window. */
@@ -61,8 +61,11 @@ const testChromium = async (browser, url, name, options) => {
     const small = await page.evaluate(() => [...document.querySelectorAll("header button, header select")]
       .filter((element) => element.getBoundingClientRect().height < 40).map((element) => element.id));
     check(small.length === 0, `${name}: what is touched is 40 pixels high${small.map((each) => ": " + each)}`);
-    await drag(page);
-    check(await settled(page) !== before, `${name}: a finger turns the camera`);
+    await moveFingers(page, [[[0.5, 0.7], [0.7, 0.7]]]);
+    const turned = await settled(page);
+    check(turned !== before, `${name}: a finger turns the camera`);
+    await moveFingers(page, [[[0.45, 0.5], [0.2, 0.5]], [[0.55, 0.5], [0.8, 0.5]]]);
+    check(await settled(page) !== turned, `${name}: two fingers change the field of view`);
   }
   check(problems.length === 0, `${name}: the console is silent${problems.map((problem) => ": " + problem)}`);
   await page.context().close();

@@ -107,6 +107,28 @@ const testHostile = async (browser, url) => {
   await page.context().close();
 };
 
+/** A slide of another site shows a link in a frame; a frame that is confined shows the page that is one file. */
+const testFrames = async (browser, url) => {
+  const text = "camera { position = {0, 0, 5} }\nlight { position = {1, 2, 3} }\nsphere { center = {0, 0, 0}, radius = 1 }\n";
+  const fragment = fragmentOf({ name: "slide", text });
+  const frames = { "a frame": `<iframe src="${url}index.html?embed#${fragment}"></iframe>`,
+    "a confined frame": `<iframe sandbox="allow-scripts" src="${url}dioptre.html?embed#${fragment}"></iframe>` };
+  for (const [name, html] of Object.entries(frames)) {
+    const slide = http.createServer((request, response) => response.setHeader("Content-Type", "text/html").end(`<!DOCTYPE html>${html}`));
+    await new Promise((resolve) => slide.listen(0, resolve));
+    const context = await browser.newContext(), page = await context.newPage(), problems = [];
+    page.on("pageerror", (error) => problems.push(error.message));
+    await page.goto(`http://127.0.0.1:${slide.address().port}/`);
+    const frame = page.frames()[1];
+    const described = frame.waitForFunction(() => /slide; shapes: 1 sphere;/.test(document.getElementById("canvas")?.getAttribute("aria-label")), null, { timeout: PATIENCE });
+    check(await described.then(() => true, () => false) && problems.length === 0,
+      `${name} of another site shows a link${problems.map((problem) => ": " + problem)}`);
+    await context.close();
+    slide.closeAllConnections();
+    slide.close();
+  }
+};
+
 /** Neither a script that a stranger brings in nor a request to another host gets through, whatever the page may be made to do. */
 const testPolicy = async (browser, url) => {
   let requests = 0;
@@ -142,5 +164,6 @@ module.exports = async (browser) => {
   await testFaulty(browser, `${url}index.html`, "");
   await testFaulty(browser, `${url}index.html`, "?one-thread");
   await testHostile(browser, url);
+  await testFrames(browser, url);
   server.close();
 };

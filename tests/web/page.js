@@ -8,6 +8,7 @@ const PARTS = {
   window: windows.window,
   host: windows.host,
   single: windows.single,
+  layers: require("./layers.js"),
   links: require("./links.js"),
   editor: require("./editor.js"),
   lesson: require("./lesson.js"),
@@ -16,6 +17,7 @@ const PARTS = {
   layout: require("./layout.js"),
   access: require("./access.js"),
   firefox: require("./firefox.js"),
+  hostile: require("./hostile.js"),
   keys: require("./keys.js"),
   bits: require("./bits.js"),
 };

@@ -32,6 +32,8 @@ module.exports = async (browser) => {
     const result = await run(page, line);
     check(result.status === "done" && made.test(result.made.join(" ")), `${line}: ${result.status}, ${result.text.split("\n").length} lines, ${result.made}`);
   }
+  await run(page, "lab sphere-ground --out results");
+  check(await page.locator("#made svg").count() === 2 && await page.locator("#made svg polyline").count() > 6, "lab: the page draws a chart for each number type");
   await run(page, "chart SCENE -s 20x15 --samples 1 --out charts");
   check(await page.locator("#made svg circle").count() > 20, "chart: the page draws its table");
   const wrong = await run(page, "render SCENE --nonsense");

@@ -1,8 +1,52 @@
 // The window in the page: keys, editing, errors, hostile scenes, completion, snapshots.
 "use strict";
 
-const { PATIENCE, SCHOOL, check, editText, editorText, launchAtSchool, openPage, pause, pixels, serve, settled, waitError } = require("./browser.js");
+const { PATIENCE, SCHOOL, check, editText, editorText, launchAtSchool, openPage, pause, pixels, ready, screenshot, serve, settled, waitError } = require("./browser.js");
 const fs = require("fs");
+
+/** The letter of the key that opens the list is not typed into its search, however late the browser tells it. */
+const testOpeningKey = async (page) => {
+  const send = (type, init) => page.evaluate(([type, init]) =>
+    document.getElementById("canvas").dispatchEvent(new KeyboardEvent(type, { bubbles: true, cancelable: true, key: "f", code: "KeyF", ...init })), [type, init]);
+  await page.focus("#canvas");
+  await send("keydown", { keyCode: 70 });
+  await settled(page);
+  await send("keypress", { charCode: 102, keyCode: 102 });
+  await send("keyup", { keyCode: 70 });
+  await page.keyboard.type("lamps");
+  await settled(page);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.getElementById("scenes").value === "lamps.lua", null, { timeout: PATIENCE });
+  check(true, "but not that of the key which opens it");
+};
+
+/** @return The hash of the help, which draws the keyboard. @param layout What the browser says of it: [[code, letter]]. */
+const helpWith = async (browser, url, layout) => {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "fr-FR" }), page = await context.newPage();
+  await page.addInitScript((entries) => {
+    Object.defineProperty(navigator, "keyboard", { value: { getLayoutMap: async () => new Map(entries) } });
+  }, layout);
+  await page.goto(url);
+  await ready(page);
+  await page.focus("#canvas");
+  await page.keyboard.press("F1");
+  const help = await settled(page);
+  await screenshot(page, `help-${layout.length}`);
+  return { help, page };
+};
+/** The help draws the keyboard in use: as the browser tells, as the language lets expect, as its keys write. */
+const testLayouts = async (browser, url) => {
+  const qwerty = [..."abcdefghijklmnopqrstuvwxyz"].map((letter) => ["Key" + letter.toUpperCase(), letter]);
+  const azerty = qwerty.map(([code, letter]) => [code, { a: "q", q: "a", w: "z", z: "w", m: "," }[letter] ?? letter]).concat([["Semicolon", "m"],
+    ["Comma", ";"], ["Period", ":"], ["Slash", "!"], ["Minus", ")"], ["BracketLeft", "^"], ["BracketRight", "$"], ["Quote", "ù"], ["Backquote", "²"]]);
+  const french = await helpWith(browser, url, azerty), guessed = await helpWith(browser, url, []), english = await helpWith(browser, url, qwerty);
+  check(french.help === guessed.help && french.help !== english.help, "the help draws the keyboard that the browser tells, or that of the language");
+  for (const [code, key] of azerty) {
+    await english.page.evaluate(([code, key]) => document.body.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, code, key })), [code, key]);
+  }
+  check(await settled(english.page) === french.help, "or whose keys are pressed");
+  await Promise.all([french, guessed, english].map(({ page }) => page.context().close()));
+};
 
 const testKeys = async (page) => {
   const first = await settled(page);
@@ -26,6 +70,7 @@ const testKeys = async (page) => {
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.getElementById("scenes").value === "glass-sphere.lua", null, { timeout: PATIENCE });
   check(true, "letters are typed into the list of scenes");
+  await testOpeningKey(page);
   await page.selectOption("#scenes", "box.lua");
   await page.waitForFunction(() => /scene box;/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
   await page.focus("#canvas");
@@ -42,6 +87,30 @@ const testKeys = async (page) => {
   check(await page.textContent("#message") === "", "neither Esc nor Ctrl+Q ends the program, which would leave a dead page");
 };
 
+/** Dragging looks around, the wheel narrows the view, a click selects; two things of the description tell where the camera looks. */
+const testMouse = async (page) => {
+  const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+  const label = () => page.getAttribute("#canvas", "aria-label"), before = await label(), at = (right, down) => [x + right * width, y + down * height];
+  const first = await settled(page);
+  await page.mouse.move(...at(0.5, 0.3));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.65, 0.35), { steps: 8 });
+  await page.mouse.up();
+  await page.waitForFunction((old) => document.getElementById("canvas").getAttribute("aria-label") !== old, before, { timeout: PATIENCE });
+  check(/looks along \(-?0\.[1-9]/.test(await label()), `dragging looks around: ${/looks along [^;]*/.exec(await label())}`);
+  const turned = await settled(page);
+  await page.mouse.wheel(0, -300);
+  const narrowed = await settled(page);
+  check(turned !== first && narrowed !== turned, "the wheel narrows the view");
+  await page.keyboard.press("Home");
+  await page.waitForFunction((old) => document.getElementById("canvas").getAttribute("aria-label") === old, before, { timeout: PATIENCE });
+  const closed = await settled(page);
+  await page.mouse.click(...at(0.4, 0.78));
+  check(await settled(page) !== closed, "a click selects a thing");
+  await page.focus("#canvas");
+  await page.keyboard.press("Escape");
+};
+
 const testErrors = async (page, text) => {
   await editText(page, text.replace("camera", "camra"));
   const error = await waitError(page, /:\d+: /);
@@ -52,6 +121,9 @@ const testErrors = async (page, text) => {
   await page.waitForFunction(() => document.getElementById("errors").textContent === "", null, { timeout: PATIENCE });
   await editText(page, "while true do end");
   check(true, `an endless loop ends: ${await waitError(page, /10 s/)}`);
+  await editText(page, "local s = ('a'):rep(60); return s:find(('a?'):rep(60) .. s)");
+  await page.waitForFunction(() => document.getElementById("errors").textContent === "", null, { timeout: PATIENCE });
+  check(true, `so does a pattern without end, which runs no Lua: ${await waitError(page, /10 s/)}`);
   await editText(page, "local s = 'x' while true do s = s .. s end");
   check(true, `memory has its limit: ${await waitError(page, /MiB|memory/)}`);
 };
@@ -107,6 +179,7 @@ const testWindow = async (browser, url, mode) => {
   const text = await editorText(page);
   check(text === fs.readFileSync("scenes/box.lua", "utf8"), "the editor shows the text of the box");
   await testDescription(page, text);
+  await testMouse(page);
   await testKeys(page);
   await testErrors(page, text);
   await testCompletion(page, text);
@@ -114,25 +187,46 @@ const testWindow = async (browser, url, mode) => {
   await page.context().close();
 };
 
-/** A host that sends no headers: the service worker does; afterwards the page works without network. */
-const testPlainHost = async (browser) => {
-  const { server, url } = await serve(false);
+/** A visit to a host; afterwards the page works without network, commands with their own program, too. */
+const testVisit = async (browser, isHosting) => {
+  const { server, url } = await serve(isHosting);
   const problems = [];
-  const page = await openPage(browser, `${url}index.html`, problems, { locale: "fr-FR" });
-  check(await page.evaluate(() => self.crossOriginIsolated), "a plain host: isolated by the service worker");
+  const page = await openPage(browser, isHosting ? `${url}index.html` : url, problems, { locale: "fr-FR" });
+  check(await page.evaluate(() => self.crossOriginIsolated), isHosting ? "a host that sends headers" : "a plain host: isolated by the service worker");
   check(await page.evaluate(() => document.documentElement.lang) === "fr", "French by the browser's language");
-  const complete = () => page.waitForFunction(() => document.body.dataset.complete === "yes", null, { timeout: PATIENCE });
-  await complete();
-  await page.reload();
-  await complete();
+  await page.waitForFunction(() => document.body.dataset.kept === "yes", null, { timeout: PATIENCE });
+  const names = await page.locator("#scenes option").allTextContents();
+  check(["boîte", "échecs", "Les ombres"].every((name) => names.includes(name)) && names.at(-1) === "Ce qui prend du temps", `the list has French names: ${names.slice(0, 3)}, ${names.slice(-3)}`);
   await page.context().setOffline(true);
   server.closeAllConnections();
   await new Promise((resolve) => server.close(resolve));
   await page.reload();
-  await complete();
-  check(true, "it starts without network after the first visits");
+  await page.waitForFunction(() => document.body.dataset.complete === "yes", null, { timeout: PATIENCE });
+  check(true, "it starts without network after the first visit");
+  await page.click("#commands");
+  await page.click("#run");
+  await page.waitForFunction(() => /terminé/.test(document.getElementById("status").textContent), null, { timeout: PATIENCE });
+  check(/sphere/.test(await page.textContent("#output")), "a command runs without network");
   check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
   await page.context().close();
+};
+/** A file that does not come is said, as long as nothing else can be done. */
+const testLost = async (browser) => {
+  const { server, url } = await serve(true);
+  for (const lost of ["dioptre.wasm", "files.json", "dioptre.js"]) {
+    const page = await browser.newPage();
+    await page.route(`**/${lost}`, (route) => route.abort());
+    await page.goto(`${url}index.html`);
+    await page.waitForFunction(() => /could not be loaded/.test(document.getElementById("message").textContent), null, { timeout: PATIENCE });
+    check(true, `without ${lost}: ${await page.textContent("#message")}`);
+    await page.close();
+  }
+  server.close();
+};
+const testHosts = async (browser) => {
+  await testVisit(browser, false);
+  await testVisit(browser, true);
+  await testLost(browser);
 };
 
 /** Where no shared memory is: a server without https, which is no localhost, and a file. */
@@ -155,8 +249,9 @@ module.exports = {
   window: async (browser) => {
     const { server, url } = await serve(true);
     await testWindow(browser, `${url}index.html`, "threads");
+    await testLayouts(browser, `${url}index.html`);
     server.close();
   },
-  host: testPlainHost,
+  host: testHosts,
   single: testOneThread,
 };

@@ -74,7 +74,11 @@ ImGuiWindowFlags navigation_flags(GuiKeyboard panel) {
 void choose_first_widget(GuiKeyboard panel) {
     Gui *gui = current_gui();
     if (gui->takes_focus && gui->keyboard == panel) {
-        ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+        ImGuiWindow *window = ImGui::GetCurrentWindow();
+        // It has not the focus yet if it got new content in this frame, such as another thing while
+        // one of its lists was open: Dear ImGui would end the program.
+        ImGui::FocusWindow(window);
+        ImGui::NavInitWindow(window, true);
         ImGui::GetCurrentContext()->NavDisableHighlight = false;
         gui->takes_focus = false;
     }

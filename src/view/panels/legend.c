@@ -152,11 +152,16 @@ static void add_notes(Legend *legend, const LegendContent *content) {
         add_note(legend, gettext("one number per block of %d × %d pixels"), columns, rows);
         break;
     case LAYER_ERROR:
+        add_count(legend, content, gettext("off by over a step"), layer->artifact_pixels,
+                  layer->pixel_count);
+        break;
     case LAYER_ROUNDING:
-        add_count(legend, content,
-                  layer->layer == LAYER_ERROR ? gettext("off by over a step")
-                                              : gettext("change by over a step"),
-                  layer->artifact_pixels, layer->pixel_count);
+        if (content->cannot_round) {
+            add_note(legend, "%s", gettext("not measured: numbers round to nearest only here"));
+        } else {
+            add_count(legend, content, gettext("change by over a step"), layer->artifact_pixels,
+                      layer->pixel_count);
+        }
         break;
     default:
         break;

@@ -24,6 +24,7 @@ typedef struct LegendContent {
     const LayerMarks *marks;         /**< Where its artefacts are. */
     const DifferenceMap *difference; /**< The difference that is shown instead; NULL: none. */
     double progress;                 /**< Completed fraction of the work, 0 to 1. */
+    bool cannot_round;               /**< Whether numbers are rounded to nearest only. */
 } LegendContent;
 
 /** A legend. */

@@ -95,7 +95,7 @@ export const createEditor = (host, label, words, onChange) => {
   const extensions = [
     lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), indentUnit.of("  "), indentOnInput(),
     bracketMatching(), closeBrackets(), autocompletion({ override: [completeFrom(words)] }), highlightActiveLine(),
-    highlightSelectionMatches(), lintGutter(), StreamLanguage.define(lua), syntaxHighlighting(colours), theme,
+    highlightSelectionMatches(), lintGutter(), EditorView.lineWrapping, StreamLanguage.define(lua), syntaxHighlighting(colours), theme,
     EditorState.phrases.of(editorPhrases), EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", tabindex: "0" }),
     keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap,
       indentWithTab]),

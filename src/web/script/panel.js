@@ -1,5 +1,5 @@
 // The panel of commands: what `dioptre render`, `info`, `needs`, `probe`, `lab` and `chart` say of the scene, with their pictures.
-import { drawChart } from "./chart.js";
+import { drawCharts } from "./chart.js";
 import { runCommand, splitWords } from "./commands.js";
 import { isFrench, say } from "./words.js";
 
@@ -24,8 +24,9 @@ const showFile = (name, bytes, offerDownload) => {
     picture.alt = name;
     $("made").append(picture);
   }
-  const chart = name.endsWith(".csv") ? drawChart(name, bytes) : null;
-  chart && $("made").append(chart);
+  if (name.endsWith(".csv")) {
+    $("made").append(...drawCharts(name, bytes));
+  }
   const button = document.createElement("button");
   button.type = "button";
   button.textContent = name;
@@ -55,7 +56,7 @@ export const createPanel = (page) => {
     const command = runCommand(words, page.files(), isFrench ? "fr" : "en", (line) => {
       if (/gnuplot/.test(line)) {
         isOnlyUncharted = true;
-        line = say("The tables are written. A page has no gnuplot: it draws the charts of dioptre chart itself, and none of dioptre lab.");
+        line = say("The tables are written. A page has no gnuplot: it draws their charts itself.");
       }
       // A line that replaces itself shows its last state.
       $("output").textContent += line.split("\r").pop().replace(/\x1b\[K/g, "") + "\n";

@@ -7,14 +7,20 @@ const WORKER_PATIENCE = 5000;
 /** A service worker keeps the files for the next visit. */
 const register = () => navigator.serviceWorker.register("service-worker.js").catch(() => null);
 
-/** A service worker adds the headers for shared memory where the host sent none: one reload. @return Whether it reloads. */
+/** @return The browser's service workers; null where there are none: over plain http, in a page that is one file. */
+const serviceWorkers = () => isOneFile ? null : navigator.serviceWorker ?? null;
+
+/** A service worker adds the headers for shared memory where the host sent none: one reload. In a frame, such as a slide's, they would not
+ * suffice. @return Whether it reloads. */
 const isReloading = async () => {
-  if (isOneFile || !navigator.serviceWorker) {
+  if (!serviceWorkers()) {
     return false;
   }
-  if (self.crossOriginIsolated) {
+  if (self.crossOriginIsolated || self !== self.top) {
     register(); // Nobody waits for it: that took up to a third of the time to the first picture.
-  } else if (!sessionStorage.getItem("reloaded") && await register()) {
+    return false;
+  }
+  if (!sessionStorage.getItem("reloaded") && await register()) {
     await Promise.race([navigator.serviceWorker.ready, new Promise((resolve) => setTimeout(resolve, WORKER_PATIENCE))]);
     sessionStorage.setItem("reloaded", "1");
     location.reload();
@@ -22,6 +28,18 @@ const isReloading = async () => {
   }
   sessionStorage.removeItem("reloaded");
   return false;
+};
+
+/** Lets the service worker, and one that replaces it, keep all files of the page for a time without network; body's data say when it has
+ * them. */
+export const keepFiles = async () => {
+  const workers = serviceWorkers();
+  const ask = async () => (workers.controller ?? (await workers.ready).active)?.postMessage("keep");
+  if (workers) {
+    workers.onmessage = () => { document.body.dataset.kept = "yes"; };
+    workers.oncontrollerchange = ask;
+    await ask();
+  }
 };
 
 /** The smallest module with an instruction of SIMD. */

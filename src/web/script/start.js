@@ -1,10 +1,11 @@
 // Starts the page: loads the program, and ties the scene's text to its window.
 import { describe } from "./description.js";
 import { readFile, isOneFile } from "./files.js";
+import { watchLayout } from "./keyboard.js";
 import { listenToKeys } from "./keys.js";
 import { pack, unpack } from "./link.js";
 import { createPanel } from "./panel.js";
-import { chooseMode, loadProgram, loadScript, startProgram } from "./program.js";
+import { chooseMode, keepFiles, loadProgram, loadScript, startProgram } from "./program.js";
 import { isFrench, say, translate } from "./words.js";
 
 const SCENES = "/scenes/";
@@ -46,6 +47,17 @@ const clearErrors = () => {
 };
 
 const addScene = (name, list = $("scenes")) => list.append(new Option(name.split("/").pop().replace(/\.lua$/, ""), name));
+/** @return What a scene or lesson is called in the language of the page, from its text; empty: as its file. */
+const titleOf = (text) => {
+  const language = isFrench ? "fr" : "en";
+  return (new RegExp(`^-- ${language} name: (.+)$`, "m").exec(text) ?? new RegExp(`^  title = \\{.*?\\b${language} = "([^"]+)"`, "m").exec(text))?.[1] ?? "";
+};
+/** The list names scenes and lessons as the window does. */
+const nameScenes = () => {
+  for (const option of [...$("scenes").options].filter(({ value }) => module.FS.analyzePath(SCENES + value).exists)) {
+    option.text = titleOf(module.FS.readFile(SCENES + option.value, { encoding: "utf8" })) || option.text;
+  }
+};
 /** The list shows the scene whose text the editor has. */
 const showName = () => {
   const name = shown.slice(SCENES.length);
@@ -77,9 +89,15 @@ const showFile = (path) => {
 /** Opens a file in the window. */
 const openFile = (path) => module.ccall("web_open", null, ["string"], [path]);
 
+/** Whether the window, which has one now, knows the keyboard. */
+let hasLayout = false;
 /** Shows the text of the scene that the window shows. */
 const showScene = (path) => {
   setMessage("");
+  if (!hasLayout) {
+    hasLayout = true;
+    watchLayout((place, letter) => module._web_set_key(place, letter));
+  }
   drawn = path;
   showFile(faulty ?? path);
   if (faulty) {
@@ -132,11 +150,12 @@ const onError = (line) => {
   }
 };
 
-/** Opens a scene in the window. */
-const openScene = (name) => {
+/** Opens a scene in the window; what comes behind the first picture is there before. @param later Names of such files beside it. */
+const openScene = async (name, later = []) => {
   endEdit();
-  openFile(SCENES + name);
   $("canvas").focus();
+  await Promise.all(later.filter((each) => each.split("/")[0] === name.split("/")[0]).map(fetchFile));
+  openFile(SCENES + name);
 };
 
 const offerDownload = (name, bytes) => {
@@ -202,7 +221,7 @@ const drop = async (event) => {
     module.FS.writeFile(SCENES + nameOf(file), new Uint8Array(await file.arrayBuffer()));
   }
   // Once all of them are there: a scene may name the others.
-  files.map(nameOf).filter((name) => /\.(lua|nff)$/.test(name)).forEach(openScene);
+  files.map(nameOf).filter((name) => /\.(lua|nff)$/.test(name)).forEach((name) => openScene(name));
   module._web_file_changed();
 };
 
@@ -243,13 +262,13 @@ const fitCanvas = () => {
   new MutationObserver(() => fitSoon(FIT_TRIES, 0)).observe(canvas, { attributeFilter: ["width", "height"] });
 };
 
-const listen = () => {
+const listen = (later) => {
   fitCanvas();
   $("errors").addEventListener("click", () => $("errors").dataset.line && editor?.showLine(Number($("errors").dataset.line)));
   $("scenes").addEventListener("change", () => {
     const name = $("scenes").value;
     showName(); // Until it is opened: a lesson that plays keeps to its scene.
-    openScene(name);
+    openScene(name, later);
   });
   $("share").addEventListener("click", () => module._web_ask_state());
   $("hide").addEventListener("click", () => toggle("hide", "editor"));
@@ -274,6 +293,7 @@ const listen = () => {
 /** Once the first picture is there: the words of the editor, pictures and models. */
 const afterPicture = async (later) => {
   await picture;
+  nameScenes();
   await loadScript("editor.js");
   const pointer = module._web_words();
   editor = self.dioptreEditor.createEditor($("text"), $("text-label").textContent, JSON.parse(module.UTF8ToString(pointer)), onEdit);
@@ -288,7 +308,9 @@ const afterPicture = async (later) => {
   for (const name of later) {
     await fetchFile(name);
   }
+  nameScenes();
   document.body.dataset.complete = "yes";
+  keepFiles();
 };
 
 /** Prepares the files of the program before it starts. */
@@ -299,7 +321,7 @@ const prepare = (later) => (started) => {
   started.ENV.SDL_EMSCRIPTEN_KEYBOARD_ELEMENT = "#canvas";
   started.ENV.SDL_EMSCRIPTEN_ASYNCIFY = "0";
   started.FS.chdir(HOME);
-  for (const folder of ["pictures", "models"]) {
+  for (const folder of new Set(later.map((name) => name.split("/")[0]))) {
     started.FS.mkdirTree(SCENES + folder);
   }
   if (opened) {
@@ -373,8 +395,11 @@ const start = async () => {
     },
   });
   await launch(opened ? opened.name : "box");
-  listen();
+  listen(files.later);
   await afterPicture(files.later);
 };
 
-start();
+start().catch((error) => {
+  console.info(error);
+  setMessage(say("The page could not be loaded. Reload it to try again."));
+});

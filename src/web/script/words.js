@@ -27,6 +27,7 @@ const FRENCH = {
     "Le programme est terminé. Rechargez la page pour le relancer.",
   "The program has failed. Reload the page to start it again.":
     "Le programme a échoué. Rechargez la page pour le relancer.",
+  "The page could not be loaded. Reload it to try again.": "La page n’a pas pu être chargée. Rechargez-la pour réessayer.",
   "The scene is too long for a link. Send its file instead.": "La scène est trop longue pour un lien. Envoyez plutôt son fichier.",
   "The link is refused: it is too long.": "Le lien est refusé\u00a0: il est trop long.",
   "The link is refused: it unpacks to more than 1 MB.": "Le lien est refusé\u00a0: décompressé, il dépasse 1 Mo.",
@@ -41,8 +42,9 @@ const FRENCH = {
   "ended with %d": "terminé avec %d",
   "CPU seconds a megapixel": "secondes de processeur par mégapixel",
   "error, rms of linear light": "erreur quadratique moyenne, lumière linéaire",
-  "The tables are written. A page has no gnuplot: it draws the charts of dioptre chart itself, and none of dioptre lab.":
-    "Les tableaux sont écrits. Une page n’a pas gnuplot\u00a0: elle trace elle-même les graphiques de dioptre chart, aucun de dioptre lab.",
+  "The tables are written. A page has no gnuplot: it draws their charts itself.":
+    "Les tableaux sont écrits. Une page n’a pas gnuplot\u00a0: elle trace elle-même leurs graphiques.",
+  "largest": "la plus grande",
   "done": "terminé",
   "running …": "en cours…",
 };

@@ -238,6 +238,24 @@ static void test_panes(void **state) {
     }
 }
 
+/** A finer cutoff merges no fewer rays than the usual one: the picture is no worse for it. */
+static void test_fine_cutoff(void **state) {
+    (void)state;
+    Pane panes[PANES];
+    double rgb[VALUES];
+    const double fine = CUTOFF_DEFAULT / 10;
+    const Engine *engine = engine_with_role(ENGINE_DOUBLE);
+    panes_make(true, panes);
+    Scene *scene = panes_scene(panes);
+    RayCounts counts =
+        trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, fine}, COLUMNS, ROWS, rgb);
+    judge_picture(scene, panes, rgb, engine->name);
+    print_message("%llu of %d camera rays lack light, of at most %.2f steps\n",
+                  (unsigned long long)counts.unresolved, PIXELS, counts.unresolved_steps);
+    assert_at_most(counts.unresolved_steps, 0.5, "missing light in %s", engine->name);
+    scene_destroy(scene);
+}
+
 /** All lanes merge the same rays. */
 static void test_lanes(void **state) {
     (void)state;
@@ -285,7 +303,8 @@ static void test_spheres(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_panes), cmocka_unit_test(test_lanes),
-                                       cmocka_unit_test(test_spheres)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_panes), cmocka_unit_test(test_fine_cutoff),
+        cmocka_unit_test(test_lanes), cmocka_unit_test(test_spheres)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,6 +38,9 @@ void loss_budget_set_view(LossBudget *budget, const Scene *scene, size_t light_c
     view.light_count = light_count;
     double bound = scene_radiance_bound(&view, budget->texture_peaks);
     double throughput = THROUGHPUT_CUTOFF * budget->cutoff / CUTOFF_DEFAULT / fmax(1, bound);
+    // A finer cutoff must not merge fewer rays: more of them would be lost than by a coarser one.
+    double usual = fmax(throughput, THROUGHPUT_CUTOFF / fmax(1, bound));
+    budget->merged = (scalar)fmax(usual, LEAST_FIRST_THROUGHPUT);
     budget->radiance_bound = (scalar)bound;
     budget->throughput = budget->cutoff > 0 ? (scalar)fmax(throughput, LEAST_FIRST_THROUGHPUT)
                                             : (scalar)LEAST_THROUGHPUT;

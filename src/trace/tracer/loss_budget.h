@@ -17,6 +17,7 @@ typedef struct LossBudget {
     scalar fraction;       /**< The cutoff as a fraction of the range of the encoded picture. */
     scalar radiance_bound; /**< No ray brings back more light. */
     scalar throughput;     /**< Rays of less throughput end in the first pass. */
+    scalar merged;         /**< Rays of less throughput may be merged. */
     bool is_linear;        /**< Whether the encoding is linear. */
 } LossBudget;
 

@@ -205,7 +205,7 @@ bool trace_merged_rays(const Tracer *tracer, const MergeMemory *memory, const Ra
     Merging merging = {
         .memory = memory,
         .limits = {.interior_count = ray_columns_interior_count(&tracer->dielectrics),
-                   .light_throughput = first_cutoff}};
+                   .light_throughput = tracer->loss_budget.merged}};
     merging_begin(&merging, camera_rays, index);
     while (memory->level->count > 0 && merging_has_room(&merging)) {
         context.cutoff = first_cutoff * merged_cutoff(merging.traced_count);

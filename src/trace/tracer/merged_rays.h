@@ -8,7 +8,8 @@
  * reflections in another order end on the same line. So the rays of one level are compared: where
  * two have gone into the same shapes, start less than a quarter of a pixel apart and differ in
  * direction by less than that, the heavier one stays and takes the throughput of both. Only rays
- * that the first pass would end are merged: they are displaced instead of dropped.
+ * that the first pass would end at the usual cutoff, or at a coarser one that is asked for, are
+ * merged: they are displaced instead of dropped.
  *
  * The order of rays, and so of their sums, does not depend on lanes or packets: all engines of a
  * number type get the same bits.

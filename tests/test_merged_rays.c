@@ -197,62 +197,70 @@ static Path pixel_ray(const SceneCamera *camera, int column, int row) {
 
 /* --- the tests -------------------------------------------------------------------------------- */
 
-/** Judges a picture: each pixel is right to half a step and the judge's noise, and the picture is
- *  not darker. */
-static void judge_picture(const Scene *scene, const Pane *panes, const double *rgb,
-                          const char *engine) {
+/** What the judge says of a picture. */
+typedef struct Verdict {
+    double light[PIXELS];     /**< The mean of its paths. */
+    double deviation[PIXELS]; /**< The standard deviation of that. */
+} Verdict;
+
+/** Finds the light of all pixels by chance. */
+static void judge_scene(const Scene *scene, const Pane *panes, Verdict *verdict) {
     uint64_t seed = 1;
-    double sum = 0, noise = 0;
     for (int i = 0; i < PIXELS; i++) {
-        double deviation;
         Path ray = pixel_ray(&scene->camera, i % COLUMNS, i / COLUMNS);
-        double truth = judged_light(&ray, panes, &seed, &deviation);
-        double steps = srgb_steps(rgb[i]) - srgb_steps(truth);
-        double noise_steps = srgb_steps(truth + deviation) - srgb_steps(truth);
-        assert_at_most(fabs(steps), 0.5 + 4 * noise_steps, "pixel %d in %s", i, engine);
+        verdict->light[i] = judged_light(&ray, panes, &seed, &verdict->deviation[i]);
+    }
+}
+
+/** Traces a picture and compares it: each pixel is right to half a step and the judge's noise, and
+ *  the picture is not darker. @return The rays. */
+static RayCounts check_picture(EngineRole role, const Scene *scene, double cutoff,
+                               const Verdict *verdict) {
+    double rgb[VALUES], sum = 0, noise = 0;
+    const Engine *engine = engine_with_role(role);
+    RayCounts counts =
+        trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, cutoff}, COLUMNS, ROWS, rgb);
+    for (int i = 0; i < PIXELS; i++) {
+        double truth = srgb_steps(verdict->light[i]);
+        double deviation = srgb_steps(verdict->light[i] + verdict->deviation[i]) - truth;
+        double steps = srgb_steps(rgb[i]) - truth;
+        assert_at_most(fabs(steps), 0.5 + 4 * deviation, "pixel %d in %s", i, engine->name);
         sum += steps;
-        noise += noise_steps * noise_steps;
+        noise += deviation * deviation;
     }
-    print_message("%s: %.3f steps brighter than the judge, whose noise is %.3f\n", engine,
-                  sum / PIXELS, sqrt(noise) / PIXELS);
-    assert_at_most(fabs(sum) / PIXELS, 4 * sqrt(noise) / PIXELS, "mean in %s", engine);
+    print_message("%s: %.3f steps brighter than the judge, whose noise is %.3f; %d of %d camera "
+                  "rays lack light, of at most %.2f steps\n",
+                  engine->name, sum / PIXELS, sqrt(noise) / PIXELS, (int)counts.unresolved, PIXELS,
+                  counts.unresolved_steps);
+    assert_at_most(fabs(sum) / PIXELS, 4 * sqrt(noise) / PIXELS, "mean in %s", engine->name);
+    return counts;
 }
 
-/** Panes that are equal, and panes that are not, in float and in double. */
-static void test_panes(void **state) {
-    (void)state;
-    const EngineRole roles[] = {ENGINE_FASTEST, ENGINE_DOUBLE};
-    for (int i = 0; i < 4; i++) {
-        Pane panes[PANES];
-        double rgb[VALUES];
-        const Engine *engine = engine_with_role(roles[i % 2]);
-        panes_make(i < 2, panes);
-        Scene *scene = panes_scene(panes);
-        RayCounts counts =
-            trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, 0}, COLUMNS, ROWS, rgb);
-        judge_picture(scene, panes, rgb, engine->name);
-        print_message("%llu of %d camera rays lack light\n", (unsigned long long)counts.unresolved,
-                      PIXELS);
-        assert_true(i >= 2 || counts.unresolved <= PIXELS / 50);
-        scene_destroy(scene);
-    }
-}
-
-/** A finer cutoff merges no fewer rays than the usual one: the picture is no worse for it. */
-static void test_fine_cutoff(void **state) {
+/** Equal panes; also with a finer cutoff, which merges no fewer rays. */
+static void test_equal_panes(void **state) {
     (void)state;
     Pane panes[PANES];
-    double rgb[VALUES];
-    const double fine = CUTOFF_DEFAULT / 10;
-    const Engine *engine = engine_with_role(ENGINE_DOUBLE);
+    Verdict verdict;
     panes_make(true, panes);
     Scene *scene = panes_scene(panes);
-    RayCounts counts =
-        trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, fine}, COLUMNS, ROWS, rgb);
-    judge_picture(scene, panes, rgb, engine->name);
-    print_message("%llu of %d camera rays lack light, of at most %.2f steps\n",
-                  (unsigned long long)counts.unresolved, PIXELS, counts.unresolved_steps);
-    assert_at_most(counts.unresolved_steps, 0.5, "missing light in %s", engine->name);
+    judge_scene(scene, panes, &verdict);
+    RayCounts single = check_picture(ENGINE_FASTEST, scene, CUTOFF_DEFAULT, &verdict);
+    RayCounts fine = check_picture(ENGINE_DOUBLE, scene, CUTOFF_DEFAULT / 10, &verdict);
+    assert_true(single.unresolved <= PIXELS / 50);
+    assert_at_most(fine.unresolved_steps, 0.5, "light missing at a fine cutoff");
+    scene_destroy(scene);
+}
+
+/** Panes of all thicknesses and distances. */
+static void test_other_panes(void **state) {
+    (void)state;
+    Pane panes[PANES];
+    Verdict verdict;
+    panes_make(false, panes);
+    Scene *scene = panes_scene(panes);
+    judge_scene(scene, panes, &verdict);
+    check_picture(ENGINE_FASTEST, scene, CUTOFF_DEFAULT, &verdict);
+    check_picture(ENGINE_DOUBLE, scene, CUTOFF_DEFAULT, &verdict);
     scene_destroy(scene);
 }
 
@@ -302,9 +310,59 @@ static void test_spheres(void **state) {
     scene_destroy(scene);
 }
 
+/** How often tracing was asked to go on, and may. */
+typedef struct Patience {
+    int asked; /**< So far. */
+    int limit; /**< Then it is to stop. */
+} Patience;
+
+/** See #PixelGrid.is_stopped. */
+static bool is_impatient(const void *context) {
+    Patience *patience = (Patience *)(uintptr_t)context;
+    return ++patience->asked > patience->limit;
+}
+
+/** @return The rays below the pixels of a tile. @param patience Until when it is traced. */
+static double tile_rays(const Engine *engine, const Scene *scene, Patience *patience) {
+    enum { TILE_WIDTH = 64, TILE_HEIGHT = 16 };
+    static double rgb[3 * TILE_WIDTH * TILE_HEIGHT];
+    Error error = {0};
+    TraceSettings settings = {
+        .depth = DEPTH_MAXIMUM, .cutoff = CUTOFF_DEFAULT, .offset = OFFSET_BOUND};
+    Tracer *tracer = engine->create_tracer(scene, &settings, &error);
+    assert_non_null(tracer);
+    const PixelGrid grid = {.columns = TILE_WIDTH,
+                            .rows = TILE_HEIGHT,
+                            .stride = 1,
+                            .is_stopped = is_impatient,
+                            .stop_context = patience};
+    RayCounts counts = {0};
+    engine->set_view(tracer, scene, TILE_WIDTH, TILE_HEIGHT);
+    engine->trace(tracer, &grid, rgb, &counts);
+    engine->destroy(tracer);
+    return (double)counts.refraction;
+}
+
+/** A tile behind panes takes seconds: it can be stopped in the middle. */
+static void test_stop(void **state) {
+    (void)state;
+    const Engine *engine = engine_with_role(ENGINE_FASTEST);
+    Pane panes[PANES];
+    panes_make(true, panes);
+    Scene *scene = panes_scene(panes);
+    Patience endless = {0, INT32_MAX}, short_one = {0, 1};
+    double all = tile_rays(engine, scene, &endless);
+    double first = tile_rays(engine, scene, &short_one);
+    assert_true(endless.asked >= 4);
+    assert_int_equal(short_one.asked, 2);
+    assert_at_most(first, all / 2, "rays in %s", engine->name);
+    scene_destroy(scene);
+}
+
+/** @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_panes), cmocka_unit_test(test_fine_cutoff),
-        cmocka_unit_test(test_lanes), cmocka_unit_test(test_spheres)};
+        cmocka_unit_test(test_equal_panes), cmocka_unit_test(test_other_panes),
+        cmocka_unit_test(test_lanes), cmocka_unit_test(test_spheres), cmocka_unit_test(test_stop)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

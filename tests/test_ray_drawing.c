@@ -4,6 +4,7 @@
  *        drawn beside them.
  */
 #include "fixtures.h"
+#include "fontconfig_leak.h"
 #include "load_scene.h"
 #include "pictures.h"
 

@@ -248,6 +248,10 @@ typedef struct PixelGrid {
                               Engines disagree only where rounding puts a ray on the other side
                               of an edge. NULL: none. */
     RayTree *ray_tree; /**< Receives the rays of a grid of one pixel; an empty tree. NULL: none. */
+    bool (*is_stopped)(const void *context); /**< Asked between parts of scenes with glass, where a
+                                                  pixel may take milliseconds: once true, the
+                                                colours that are left are not set. NULL: never. */
+    const void *stop_context;                /**< Passed to #is_stopped. */
 } PixelGrid;
 
 /** Numbers of rays traced. */

@@ -177,18 +177,33 @@ static void tile_add_sample(TileJob *job, const double *colors, bool is_first, b
     }
 }
 
+/** @return Whether a pass is to stop. See #PixelGrid.is_stopped. */
+static bool is_pass_stopped(const void *pass) {
+    return render_pass_is_stopped(pass);
+}
+
+/** Traces a sample of the rays of a tile. @return false when it was stopped. */
+static bool tile_trace_sample(const RenderPass *pass, TileJob *job, int sample, double *colors) {
+    if (render_pass_is_stopped(pass)) {
+        return false;
+    }
+    job->grid.sample = sample;
+    job->grid.is_stopped = is_pass_stopped;
+    job->grid.stop_context = pass;
+    pass->engine->trace(pass->tracer, &job->grid, colors, &job->ray_counts);
+    return !render_pass_is_stopped(pass);
+}
+
 /** Traces the samples of a pass for all rays of a tile. @return false when it was stopped. */
 static bool tile_trace_samples(const RenderPass *pass, TileJob *job) {
     double colors[TILE_VALUES];
     size_t rays = (size_t)job->grid.columns * (size_t)job->grid.rows;
     bool is_adaptive = render_pass_is_adaptive(pass) && pass->range.stride == 1;
     for (int sample = pass->range.first_sample; sample <= pass->range.last_sample; sample++) {
-        if (render_pass_is_stopped(pass)) {
+        double *target = sample == 0 ? job->sums : colors; // Sample 0 begins the sum.
+        if (!tile_trace_sample(pass, job, sample, target)) {
             return false;
         }
-        job->grid.sample = sample;
-        double *target = sample == 0 ? job->sums : colors; // Sample 0 begins the sum.
-        pass->engine->trace(pass->tracer, &job->grid, target, &job->ray_counts);
         tile_add_sample(job, target, sample == pass->range.first_sample, is_adaptive);
         atomic_fetch_add_explicit(&pass->renderer->rays_done, rays, memory_order_relaxed);
     }
@@ -244,15 +259,13 @@ static bool tile_trace_active(const RenderPass *pass, TileJob *job, const uint16
     memset(is_new, true, sizeof is_new);
     for (int sample = adaptive_first_samples(pass->samples);
          active_count > 0 && sample <= pass->range.last_sample; sample++) {
-        if (render_pass_is_stopped(pass)) {
-            return false;
-        }
         size_t count = select_missing_sample(active, active_count, job->counts, sample, selected);
         if (count > 0) {
-            job->grid.sample = sample;
             job->grid.selected = selected;
             job->grid.selected_count = count;
-            pass->engine->trace(pass->tracer, &job->grid, colors, &job->ray_counts);
+            if (!tile_trace_sample(pass, job, sample, colors)) {
+                return false;
+            }
             tile_add_selected_sample(job, colors, is_new);
             atomic_fetch_add_explicit(&pass->renderer->rays_done, count, memory_order_relaxed);
         }

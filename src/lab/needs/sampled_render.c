@@ -98,8 +98,9 @@ static double process_cpu_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** @return Whether rendering was stopped. */
-static bool context_is_stopped(const RenderContext *render_context) {
+/** @return Whether rendering was stopped. @param context A #RenderContext. */
+static bool context_is_stopped(const void *context) {
+    const RenderContext *render_context = context;
     return render_context->stop && atomic_load_explicit(render_context->stop, memory_order_relaxed);
 }
 
@@ -119,6 +120,8 @@ static void trace_sample(const SampleJob *job, PixelGrid *grid, size_t first, Ra
 static void render_tile(void *context, size_t index) {
     const SampleJob *job = context;
     PixelGrid grid = pixel_set_tile_grid(job->context->pixels, index);
+    grid.is_stopped = context_is_stopped;
+    grid.stop_context = job->context;
     for (int sample = 0; grid.selected_count > 0 && sample < job->variant->samples_traced;
          sample++) {
         if (context_is_stopped(job->context)) {

@@ -106,6 +106,11 @@ void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter j
 
 /* --- tiles ------------------------------------------------------------------------------------ */
 
+/** @return Whether the rays of a grid are no longer needed. */
+static bool grid_is_stopped(const PixelGrid *grid) {
+    return grid->is_stopped && grid->is_stopped(grid->stop_context);
+}
+
 /** Traces a grid of pixels as wavefronts. */
 static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer,
                                                             const PixelGrid *grid,
@@ -113,7 +118,8 @@ static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer
                                                             RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
-    for (int first = 0; first < packet_count; first += WAVEFRONT_PACKETS) {
+    for (int first = 0; first < packet_count && !grid_is_stopped(grid);
+         first += WAVEFRONT_PACKETS) {
         CameraRays rays[WAVEFRONT_PACKETS];
         Rgb colors[WAVEFRONT_PACKETS][PACKET_VECTORS];
         CameraPacket packets[WAVEFRONT_PACKETS];

@@ -62,7 +62,7 @@ size_t pass_range_total_rays(int width, int height, int samples, bool has_previe
 }
 
 bool render_pass_is_stopped(const RenderPass *pass) {
-    return pass->stop && atomic_load_explicit(pass->stop, memory_order_relaxed);
+    return render_pass_has_stop(pass);
 }
 
 /** @return A position from the middle outwards. @param index 0 to count - 1, which gives each

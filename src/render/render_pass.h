@@ -87,6 +87,12 @@ bool pass_range_next(PassRange *range, int samples, bool has_preview);
 /** @return Rays from pixels in all passes. See #pass_range_next. */
 size_t pass_range_total_rays(int width, int height, int samples, bool has_preview);
 
+/** @return Whether the pass is to stop, as far as is known: for engines, in the middle of a tile,
+ *          where no other part of the program may run. */
+static inline bool render_pass_has_stop(const RenderPass *pass) {
+    return pass->stop && atomic_load_explicit(pass->stop, memory_order_relaxed);
+}
+
 /** @return Whether the pass is to stop. To be asked often: where a program has one thread, others
  * have their turn meanwhile. */
 bool render_pass_is_stopped(const RenderPass *pass);

@@ -179,7 +179,7 @@ static void tile_add_sample(TileJob *job, const double *colors, bool is_first, b
 
 /** @return Whether a pass is to stop. See #PixelGrid.is_stopped. */
 static bool is_pass_stopped(const void *pass) {
-    return render_pass_is_stopped(pass);
+    return render_pass_has_stop(pass);
 }
 
 /** Traces a sample of the rays of a tile. @return false when it was stopped. */

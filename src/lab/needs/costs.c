@@ -159,7 +159,7 @@ static bool choose_lanes(NeedsSearch *search, Error *error) {
             tried[count++].engine = *engine;
         }
     }
-    if (!trial_time(&search->stage, tried, count, TURNS, times, error)) {
+    if (!trial_time_processor(&search->stage, tried, count, TURNS, times, error)) {
         return false;
     }
     for (size_t i = 1; i < count; i++) {
@@ -204,8 +204,8 @@ bool search_costs(NeedsSearch *search, Error *error) {
     bool is_float = needs->settings.engine->mantissa_bits < needs->reference.engine->mantissa_bits;
     NeedsSettings timed[3] = {needs->settings, needs->settings, needs->reference};
     timed[1].engine = engine_with_role(is_float ? ENGINE_DOUBLE : ENGINE_FASTEST);
-    if (!trial_time(&search->stage, timed, 2, TURNS, times, error) ||
-        !trial_time(&search->stage, &timed[2], 1, 1, &times[2], error)) {
+    if (!trial_time_processor(&search->stage, timed, 2, TURNS, times, error) ||
+        !trial_time_processor(&search->stage, &timed[2], 1, 1, &times[2], error)) {
         return false;
     }
     double ratio = times[1].cpu_least / times[0].cpu_least;

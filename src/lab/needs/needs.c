@@ -214,7 +214,7 @@ static bool find_coarser(NeedsSearch *search, NeedsSetting setting, double coars
     if (*number_of(&tried[0], setting) == *number_of(&tried[1], setting)) {
         return true;
     }
-    if (!trial_time(&search->stage, tried, 2, TURNS, times, error)) {
+    if (!trial_time_processor(&search->stage, tried, 2, TURNS, times, error)) {
         return false;
     }
     if (trial_time_is_faster(&times[1], &times[0])) {
@@ -316,7 +316,7 @@ static bool find_offset(NeedsSearch *search, Error *error) {
     if (!is_done || !is_any_sufficient) {
         return is_done;
     }
-    if (!trial_time(&search->stage, tried, NEEDS_OFFSET_COUNT, TURNS, times, error)) {
+    if (!trial_time_processor(&search->stage, tried, NEEDS_OFFSET_COUNT, TURNS, times, error)) {
         return false;
     }
     for (int i = 0; i < OFFSET_BOUND; i++) {

@@ -141,6 +141,13 @@ bool trial_time(const TrialStage *stage, const NeedsSettings *settings, size_t c
     return true;
 }
 
+bool trial_time_processor(const TrialStage *stage, const NeedsSettings *settings, size_t count,
+                          int turns, TrialTime *times, Error *error) {
+    TrialStage alone = *stage;
+    alone.threads = 1;
+    return trial_time(&alone, settings, count, turns, times, error);
+}
+
 bool trial_time_is_faster(const TrialTime *a, const TrialTime *b) {
     return a->cpu_most < b->cpu_least;
 }

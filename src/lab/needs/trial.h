@@ -93,6 +93,13 @@ typedef struct TrialTime {
 bool trial_time(const TrialStage *stage, const NeedsSettings *settings, size_t count, int turns,
                 TrialTime *times, Error *error);
 
+/**
+ * Does what trial_time() does, on one thread, to compare processor times: of threads that run
+ * elsewhere, the system counts the time at its ticks only, and a small picture is shorter than one.
+ */
+bool trial_time_processor(const TrialStage *stage, const NeedsSettings *settings, size_t count,
+                          int turns, TrialTime *times, Error *error);
+
 /** @return Whether every turn of a was faster than every turn of b: more than the noise of the
  *          clock. */
 bool trial_time_is_faster(const TrialTime *a, const TrialTime *b);

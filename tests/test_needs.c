@@ -262,7 +262,7 @@ static void test_no_picture_refutes(void **state) {
         Needs needs = find_needs(scene, &request);
         needs.settings.samples = 1; // Noise is judged apart.
         assert_false(needs_is_refuted(&needs));
-        // Also of pictures that take less than a tick of the system's clock.
+        // Also of pictures that take less than a tick of the system.
         assert_true(needs.double_over_float_seconds > 0.2 && needs.double_over_float_seconds < 20);
         assert_at_most(fraction_off(scene, &needs, request.width), NEEDS_FRACTION_MAXIMUM,
                        "%s: share off", scenes[i].path);

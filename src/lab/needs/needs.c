@@ -81,7 +81,7 @@ bool search_probe_cost(const NeedsSearch *search, const NeedsSettings *settings,
                        double *ray_seconds, Error *error) {
     TrialStage stage = stage_of(search, (StageSize){PROBE_WIDTH, 1});
     TrialTime time;
-    if (!trial_time(&stage, settings, 1, 1, &time, error)) {
+    if (!trial_time_processor(&stage, settings, 1, 1, &time, error)) {
         return false;
     }
     *ray_seconds = time.cpu_least / ((double)stage.width * stage.height);

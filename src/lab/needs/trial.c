@@ -10,10 +10,11 @@
 #include <math.h>
 #include <time.h>
 
-/** @return The CPU time of the process, seconds. */
-static double process_cpu_seconds(void) {
+/** @return The CPU time of the calling thread, seconds. That of the process counts ticks, as soon
+ * as its CPU time is limited. */
+static double thread_cpu_seconds(void) {
     struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
@@ -43,10 +44,10 @@ static bool scene_render(const TrialStage *stage, const Scene *scene, const Need
     if (!renderer) {
         return false;
     }
-    double start = process_cpu_seconds();
+    double start = thread_cpu_seconds();
     RenderStats stats =
         renderer_render(renderer, stage->stop, picture->picture.linear ? &picture->picture : NULL);
-    picture->cpu_seconds = process_cpu_seconds() - start;
+    picture->cpu_seconds = thread_cpu_seconds() - start;
     picture->seconds = stats.seconds;
     renderer_destroy(renderer);
     return stats.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");

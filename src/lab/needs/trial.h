@@ -46,7 +46,7 @@ typedef struct TrialStage {
 typedef struct TrialPicture {
     Picture picture;    /**< The picture, with its linear light; owned. */
     double seconds;     /**< Time on the clock. */
-    double cpu_seconds; /**< Time of all processors. */
+    double cpu_seconds; /**< CPU time of the thread that renders. */
 } TrialPicture;
 
 /**
@@ -94,8 +94,8 @@ bool trial_time(const TrialStage *stage, const NeedsSettings *settings, size_t c
                 TrialTime *times, Error *error);
 
 /**
- * Does what trial_time() does, on one thread, to compare processor times: of threads that run
- * elsewhere, the system counts the time at its ticks only, and a small picture is shorter than one.
+ * Does what trial_time() does, on the calling thread alone: its CPU times can be compared, whatever
+ * the picture's size.
  */
 bool trial_time_processor(const TrialStage *stage, const NeedsSettings *settings, size_t count,
                           int turns, TrialTime *times, Error *error);

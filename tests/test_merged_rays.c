@@ -203,13 +203,18 @@ typedef struct Verdict {
     double deviation[PIXELS]; /**< The standard deviation of that. */
 } Verdict;
 
-/** Finds the light of all pixels by chance. */
-static void judge_scene(const Scene *scene, const Pane *panes, Verdict *verdict) {
+/** Makes a scene of panes, and finds the light of all its pixels by chance. @param is_regular See
+ *  panes_make(). @return The scene. */
+static Scene *judged_scene(bool is_regular, Verdict *verdict) {
+    Pane panes[PANES];
     uint64_t seed = 1;
+    panes_make(is_regular, panes);
+    Scene *scene = panes_scene(panes);
     for (int i = 0; i < PIXELS; i++) {
         Path ray = pixel_ray(&scene->camera, i % COLUMNS, i / COLUMNS);
         verdict->light[i] = judged_light(&ray, panes, &seed, &verdict->deviation[i]);
     }
+    return scene;
 }
 
 /** Traces a picture and compares it: each pixel is right to half a step and the judge's noise, and
@@ -239,11 +244,8 @@ static RayCounts check_picture(EngineRole role, const Scene *scene, double cutof
 /** Equal panes; also with a finer cutoff, which merges no fewer rays. */
 static void test_equal_panes(void **state) {
     (void)state;
-    Pane panes[PANES];
     Verdict verdict;
-    panes_make(true, panes);
-    Scene *scene = panes_scene(panes);
-    judge_scene(scene, panes, &verdict);
+    Scene *scene = judged_scene(true, &verdict);
     RayCounts single = check_picture(ENGINE_FASTEST, scene, CUTOFF_DEFAULT, &verdict);
     RayCounts fine = check_picture(ENGINE_DOUBLE, scene, CUTOFF_DEFAULT / 10, &verdict);
     assert_true(single.unresolved <= PIXELS / 50);
@@ -254,11 +256,8 @@ static void test_equal_panes(void **state) {
 /** Panes of all thicknesses and distances. */
 static void test_other_panes(void **state) {
     (void)state;
-    Pane panes[PANES];
     Verdict verdict;
-    panes_make(false, panes);
-    Scene *scene = panes_scene(panes);
-    judge_scene(scene, panes, &verdict);
+    Scene *scene = judged_scene(false, &verdict);
     check_picture(ENGINE_FASTEST, scene, CUTOFF_DEFAULT, &verdict);
     check_picture(ENGINE_DOUBLE, scene, CUTOFF_DEFAULT, &verdict);
     scene_destroy(scene);

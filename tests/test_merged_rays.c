@@ -48,7 +48,7 @@ static void panes_make(bool is_regular, Pane *panes) {
     }
 }
 
-/** @return The scene. */
+/** @return The scene of panes before a wall. */
 static Scene *panes_scene(const Pane *panes) {
     Scene *scene = create_empty_scene();
     scene->sky.horizon = scene->sky.zenith = (Rgbd){sky, sky, sky};
@@ -77,7 +77,7 @@ typedef struct Path {
     double direction[3]; /**< Where it goes: of length one. */
 } Path;
 
-/** Moves a distance to the nearest plane of a pane that a path comes through, or leaves by. */
+/** Finds where a path enters and leaves a pane, and the axes of the faces there. */
 static void pane_clip(const Path *path, const Pane *pane, double *enter, double *leave,
                       int *enter_axis, int *leave_axis) {
     const double *low = &pane->low.x, *high = &pane->high.x;
@@ -183,7 +183,7 @@ static double judged_light(const Path *camera_ray, const Pane *panes, uint64_t *
     return mean;
 }
 
-/** @return The ray of a pixel: through its centre. The camera sees 60 degrees across. */
+/** @return The ray of a pixel: through its centre. */
 static Path pixel_ray(const SceneCamera *camera, int column, int row) {
     double half = tan(camera->fov / 2 * acos(-1) / 180);
     Vec3d right = vec3d_cross(camera->direction, camera->up);

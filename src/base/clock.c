@@ -7,10 +7,23 @@
 /** Nanoseconds per second. */
 static const long NANOSECONDS = 1000000000;
 
-double clock_now_seconds(void) {
+/** @return Seconds of a clock. */
+static double clock_seconds(clockid_t clock) {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double clock_now_seconds(void) {
+    return clock_seconds(CLOCK_MONOTONIC);
+}
+
+double clock_thread_cpu_seconds(void) {
+    return clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double clock_process_cpu_seconds(void) {
+    return clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 struct timespec clock_deadline(double seconds) {

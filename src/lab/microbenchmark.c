@@ -9,10 +9,11 @@
  */
 #include "lab/microbenchmark.h"
 
+#include "base/clock.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /** Inputs of a method: so few that they stay in the cache. */
 enum { INPUT_COUNT = 256 };
@@ -38,13 +39,6 @@ typedef struct TimedMethod {
     double ns[TURNS];             /**< Time per test in each turn. */
 } TimedMethod;
 
-/** @return The CPU time of this thread, seconds. */
-static double thread_cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /** Runs an engine on all inputs. */
 static void engine_run(const TimedMethod *timed) {
     Quadruple outputs[SAMPLE_QUERIES_MAXIMUM * METHOD_NUMBERS_MAXIMUM];
@@ -61,7 +55,7 @@ static void engine_run(const TimedMethod *timed) {
 
 /** @return The CPU time of a turn, seconds. */
 static double time_rounds(const TimedMethod *timed) {
-    double start = thread_cpu_seconds();
+    double start = clock_thread_cpu_seconds();
     for (int i = 0; i < timed->rounds; i++) {
         if (timed->method) {
             timed->type->evaluate_packed(timed->family, timed->method, INPUT_COUNT,
@@ -70,7 +64,7 @@ static double time_rounds(const TimedMethod *timed) {
             engine_run(timed);
         }
     }
-    return thread_cpu_seconds() - start;
+    return clock_thread_cpu_seconds() - start;
 }
 
 /** Generates the samples that are timed, the same for all. @return They, to be released with free;

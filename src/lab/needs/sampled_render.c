@@ -4,12 +4,12 @@
  */
 #include "lab/needs/sampled_render.h"
 
+#include "base/clock.h"
 #include "render/render_pass.h"
 #include "render/thread_pool.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /* --- which pixels -------------------------------------------------------------------------------
  */
@@ -91,13 +91,6 @@ typedef struct SampleJob {
     RayCounts *counts;            /**< Rays traced, per tile. */
 } SampleJob;
 
-/** @return The CPU time of the process, seconds. */
-static double process_cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /** @return Whether rendering was stopped. @param context A #RenderContext. */
 static bool context_is_stopped(const void *context) {
     const RenderContext *render_context = context;
@@ -143,9 +136,9 @@ static bool render_tiles(SampleJob *job, ThreadPool *workers, Error *error) {
     }
     engine->set_view(tracer, render_context->scene, pixels->width, pixels->height);
     job->tracer = tracer;
-    double start = process_cpu_seconds();
+    double start = clock_process_cpu_seconds();
     thread_pool_run(workers, pixels->tile_count, render_tile, job);
-    job->render->cpu_seconds = process_cpu_seconds() - start;
+    job->render->cpu_seconds = clock_process_cpu_seconds() - start;
     engine->destroy(tracer);
     return !context_is_stopped(render_context) ||
            error_set(error, STATUS_INTERRUPTED, "interrupted");

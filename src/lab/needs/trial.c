@@ -4,19 +4,11 @@
  */
 #include "lab/needs/trial.h"
 
+#include "base/clock.h"
 #include "base/encoding.h"
 #include "lab/needs/scaled_tolerance.h"
 
 #include <math.h>
-#include <time.h>
-
-/** @return The CPU time of the calling thread, seconds. That of the process counts ticks, as soon
- * as its CPU time is limited. */
-static double thread_cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /** @return How a renderer is set up for a trial. */
 static RenderSettings render_settings_of(const TrialStage *stage, const NeedsSettings *settings) {
@@ -44,10 +36,10 @@ static bool scene_render(const TrialStage *stage, const Scene *scene, const Need
     if (!renderer) {
         return false;
     }
-    double start = thread_cpu_seconds();
+    double start = clock_thread_cpu_seconds();
     RenderStats stats =
         renderer_render(renderer, stage->stop, picture->picture.linear ? &picture->picture : NULL);
-    picture->cpu_seconds = thread_cpu_seconds() - start;
+    picture->cpu_seconds = clock_thread_cpu_seconds() - start;
     picture->seconds = stats.seconds;
     renderer_destroy(renderer);
     return stats.is_finished || error_set(error, STATUS_INTERRUPTED, "interrupted");

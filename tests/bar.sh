@@ -5,7 +5,8 @@
 box=$root/scenes/box.lua
 with_bar=yes
 
-light() { sed 's/.*light { position = {\([^}]*\)}.*/\1/' <<<"$view" | tr -d ','; }
+# light: where the first light is.
+light() { grep -o 'light { position = {[^}]*' <<<"$view" | sed '1!d; s/.*{//; s/,//g'; }
 
 start_server
 open "$box" --samples 1
@@ -36,6 +37,29 @@ now=($(light))
 awk "BEGIN { exit !(${now[2]} < ${was[2]} - 0.1 && ${now[0]} - ${was[0]} < 0.01) }" &&
     ok 'with Shift along the direction of view' || fail "the light went from ${was[*]} to ${now[*]}"
 xdotool key Home
+
+# drag_mark NAME: drags what is in the middle of the picture's upper edge, which is now the window's; sets was, now.
+drag_mark() {
+    within height_is 600 || fail "$1: the window is $(height) high"
+    shoot
+    was=($(light))
+    xdotool mousemove --window "$window" 400 16 mousedown 1
+    xdotool mousemove --window "$window" 340 60 mousemove --window "$window" 300 150 mouseup 1
+    shoot
+    now=($(light))
+    xdotool key Home
+}
+height_is() { [ "$(height)" -eq "$1" ]; }
+xdotool key F5
+drag_mark 'a presentation'
+[ "${now[*]}" != "${was[*]}" ] && ok 'a light is dragged in a presentation' || fail "the light stays at ${was[*]}"
+xdotool key F5
+within height_is "$tall"
+xdotool key F2
+drag_mark 'without toolbar'
+[ "${now[*]}" = "${was[*]}" ] && ok 'without the toolbar, a light has no mark' || fail "the light went from ${was[*]} to ${now[*]}"
+xdotool key F2
+within height_is "$tall"
 
 # --- the screen as a picture -------------------------------------------------------------------------
 xdotool key 3
@@ -233,6 +257,25 @@ xdotool key 3 && sleep 0.5
 shown 'normals' && ok 'meanwhile digits are no commands' || fail "the title says $(title)"
 xdotool key Escape && sleep 0.3 && xdotool key 3
 expect_shown 'distance.*finished' 'Esc gives the keys back to the picture'
+leave
+
+# --- a light outside the picture ---------------------------------------------------------------------
+# Both lights of this scene are: arrows show where, the first one at the upper edge, left of the middle.
+open "$root/scenes/glass-sphere.lua" --samples 1
+settled
+top=$(($(height) - 600))
+shoot
+was=($(light))
+xdotool mousemove --window "$window" 220 $((top + 16)) mousedown 1
+xdotool mousemove --window "$window" 260 $((top + 60)) mousemove --window "$window" 300 $((top + 150)) mouseup 1
+shoot
+now=($(light))
+awk "BEGIN { exit !(${now[0]} > ${was[0]} + 0.1 && ${now[1]} < ${was[1]} - 0.1) }" &&
+    ok 'a light outside the picture is dragged by its arrow' || fail "it went from ${was[*]} to ${now[*]}"
+xdotool key Home
+settled
+xdotool mousemove --window "$window" 220 $((top + 16)) click 1
+expect_shown 'light 1' 'a click on its arrow selects it'
 leave
 
 # --- formulas that scroll ----------------------------------------------------------------------------

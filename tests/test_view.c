@@ -478,7 +478,7 @@ static void test_tooltips(void **state) {
 }
 
 /** A mark that is dragged stays under the mouse, or goes along the direction of view; what lies
- *  behind the camera cannot be dragged. */
+ *  behind the camera moves to the same side as the mouse, no less far than ahead of it. */
 static void test_light_drag(void **state) {
     (void)state;
     Scene *scene = load_scene("scenes/box.lua");
@@ -501,8 +501,11 @@ static void test_light_drag(void **state) {
     assert_near(vec3d_dot(offset, scene->camera.up), 0);
     assert_near(vec3d_dot(offset, scene_camera_right(&scene->camera)), 0);
     scene->camera.direction = vec3d_scale(scene->camera.direction, -1);
-    assert_false(light_marks_drag_offset(scene, 0, &picture, (GuiPoint){100, 100},
-                                         (GuiPoint){140, 170}, false, &offset));
+    assert_true(light_marks_drag_offset(scene, 0, &picture, (GuiPoint){100, 100},
+                                        (GuiPoint){140, 170}, false, &offset));
+    assert_true(vec3d_dot(offset, scene_camera_right(&scene->camera)) > 0);
+    assert_true(vec3d_dot(offset, scene->camera.up) < 0);
+    assert_true(vec3d_length(offset) >= vec3d_length(vec3d_subtract(after, before)));
     assert_false(light_marks_drag_offset(scene, scene->light_count, &picture, (GuiPoint){0, 0},
                                          (GuiPoint){1, 1}, false, &offset));
     scene_destroy(scene);

@@ -300,8 +300,10 @@ static void check_toolbar_changes(Fixture *fixture) {
     window_toggle_toolbar(window);
     const int low = height_of(fixture);
     assert_true(low < tall);
+    assert_int_equal(window->light_marks.count, 0);
     window_toggle_presentation(window);
     assert_int_equal(height_of(fixture), low); // It has no toolbar either.
+    assert_int_equal(window->light_marks.count, 0);
     window_toggle_presentation(window);
     assert_true(window->toolbar.is_folded); // As it was.
     assert_int_equal(height_of(fixture), low);
@@ -310,6 +312,7 @@ static void check_toolbar_changes(Fixture *fixture) {
     for (int is_by_toolbar = 0; is_by_toolbar < 2; is_by_toolbar++) {
         window_toggle_presentation(window);
         assert_true(window->is_presenting && window->toolbar.is_folded);
+        assert_true(window->light_marks.count > 0); // Who shows a class a light wants to see it.
         if (is_by_toolbar) {
             window_toggle_toolbar(window); // Who wants it wants no presentation.
         } else {
@@ -440,6 +443,15 @@ static void check_readout(Fixture *fixture) {
                   (double)point.y);
         }
     }
+    // Nor on the pixel that a lesson marks, at the lower edge.
+    window->magnifier.pixel = (PixelPosition){width / 2, height / 2};
+    ray_view_mark(&window->ray_view, 0, 1 - 0.5 / height);
+    window_present(window);
+    assert_true(readout->is_above);
+    ray_view_mark(&window->ray_view, 0, 0);
+    window_present(window);
+    assert_false(readout->is_above);
+    window->ray_view.is_marked = window->ray_view.has_pixel = false;
     magnifier_toggle(&window->magnifier);
     renderer->settings.engine = engine;
 }

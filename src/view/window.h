@@ -84,7 +84,8 @@ typedef struct Window {
     bool shows_settings;                    /**< Whether the panels show the settings. */
     double settings_end_time; /**< When they go by themselves, seconds; 0: they are pinned. */
     bool is_presenting;       /**< Whether the window is made for a class: no bar, large letters. */
-    bool was_folded;          /**< Whether the toolbar was hidden before that. */
+    bool hides_toolbar;       /**< Whether the user or a lesson hides the toolbar, and the marks of
+                                   the lights with it. */
     Toast layer_name;         /**< Name of the layer, in a presentation. */
     Help help;                /**< The help. */
     Notice notice;            /**< The notice of an error. */
@@ -216,7 +217,8 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray);
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
 
-/** Finds how far a thing moves that is dragged at one of its points. See #picture_drag_offset. */
+/** Finds how far a thing moves that is dragged at one of its points. See #picture_drag_offset.
+ *  @return false if the point is behind the camera. */
 bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
                            Vec3d *offset);
 

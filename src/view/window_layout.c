@@ -232,7 +232,7 @@ bool window_fold_large_toolbar(Window *window) {
 
 /** Shows or hides the toolbar. @return false if the window is too small: it stays hidden. */
 static bool set_toolbar_folded(Window *window, bool is_folded) {
-    window->toolbar.is_folded = is_folded;
+    window->hides_toolbar = window->toolbar.is_folded = is_folded;
     layout_toolbar(window);
     bool is_too_small = window_fold_large_toolbar(window);
     window_relayout_toolbar(window);
@@ -246,6 +246,7 @@ void window_open_widgets(Window *window) {
         window_set_hint(window);
         set_toolbar_folded(window, false);
     } else if (window->gui) {
+        window->hides_toolbar = true;
         window_relayout_toolbar(window);
     }
 }
@@ -298,7 +299,7 @@ void window_toggle_toolbar(Window *window) {
     const ToolbarChange change = begin_change(window);
     const bool is_wanted = window->toolbar.is_folded;
     if (window->is_presenting) {
-        window->was_folded = false;
+        window->hides_toolbar = false;
         window_toggle_presentation(window);
     } else if (set_toolbar_folded(window, !is_wanted)) {
         end_change(window, change);
@@ -311,10 +312,7 @@ void window_toggle_toolbar(Window *window) {
 void window_toggle_presentation(Window *window) {
     const ToolbarChange change = begin_change(window);
     window->is_presenting = !window->is_presenting;
-    if (window->is_presenting) {
-        window->was_folded = window->toolbar.is_folded;
-    }
-    window->toolbar.is_folded = window->is_presenting || window->was_folded;
+    window->toolbar.is_folded = window->is_presenting || window->hides_toolbar;
     window_relayout_toolbar(window);
     end_change(window, change);
     if (window->gui) {

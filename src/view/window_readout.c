@@ -90,12 +90,24 @@ static bool is_near(GuiPoint point, const GuiRect *rect, float reach) {
            point.y >= rect->y - reach && point.y < rect->y + rect->height + reach;
 }
 
-/** Finds where the readout lies: at the lower edge of its area. It lies at the upper edge while the
- *  pixel is near the lower one, if it would cover the picture there and no caption is open. */
+/** @return Whether the pixel of the readout is near a part of the window, or one that a lesson marks.
+ *  @param reach How near, screen units. */
+static bool is_pixel_near(const Window *window, const GuiRect *rect, float reach) {
+    const Readout *readout = &window->readout;
+    const Viewport *viewport = &window->viewports[0];
+    const RayView *marked = &window->ray_view;
+    const PixelPosition read = {readout->pixel.x, readout->pixel.y};
+    const PixelPosition mark = {(int)(marked->x * viewport->width),
+                                (int)(marked->y * viewport->height)};
+    return is_near(window_pixel_place(window, &read), rect, reach) ||
+           (marked->is_marked && is_near(window_pixel_place(window, &mark), rect, reach));
+}
+
+/** Finds where the readout lies: at the lower edge of its area. It lies at the upper edge while a
+ *  pixel of interest is near the lower one, if it would cover the picture there and no caption is
+ *  open. */
 static void place_readout(Window *window) {
     Readout *readout = &window->readout;
-    const PixelPosition pixel = {readout->pixel.x, readout->pixel.y};
-    const GuiPoint place = window_pixel_place(window, &pixel);
     const GuiRect area = window_area_units(window);
     const SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     const GuiRect edges = {(float)picture.x, (float)picture.y, (float)picture.w, (float)picture.h};
@@ -104,8 +116,8 @@ static void place_readout(Window *window) {
     const GuiRect above = gui_readout_rect(
         readout->text, (GuiPoint){area.x, window_area_below_button(window).y}, GUI_BELOW);
     const float reach = (readout->is_above ? REACH_BACK : REACH) * gui_text_size();
-    readout->is_above = is_near(place, &below, reach) && rects_overlap(&below, &edges) &&
-                        !is_near(place, &above, 0) && !caption_is_open(&window->caption);
+    readout->is_above = is_pixel_near(window, &below, reach) && rects_overlap(&below, &edges) &&
+                        !is_pixel_near(window, &above, 0) && !caption_is_open(&window->caption);
     readout->rect = readout->is_above ? above : below;
 }
 

@@ -2,6 +2,7 @@
  * @file
  * @brief Buttons, lists, marks and panels over the picture: one frame of them.
  */
+#include "render/projected_view.h"
 #include "view/window_internal.h"
 
 #include <math.h>
@@ -78,9 +79,11 @@ static void show_cursor(const Window *window) {
     }
 }
 
-/** Shows the marks of the lights. */
+/** Shows the marks of the lights: also in a presentation, and where the window is too small for the
+ *  toolbar; but not below the name of a layer, for as long as that is shown. */
 static void show_light_marks(Window *window) {
-    if (!window->ray_view.is_open && !window->toolbar.is_folded && window->state.scene) {
+    const bool is_free = !window->ray_view.is_open && window->layer_name.text[0] == '\0';
+    if (is_free && !window->hides_toolbar && window->state.scene) {
         SDL_Rect picture = window_to_units(window, window_picture_rect(window));
         light_marks_show(&window->light_marks, window->state.scene, &picture,
                          window->state.selected_light);
@@ -256,6 +259,14 @@ bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPo
 bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
                            Vec3d *offset) {
     SDL_Rect picture = window_to_units(window, window_picture_rect(window));
-    return window->state.scene &&
-           picture_drag_offset(&window->state.scene->camera, point, &picture, drag, offset);
+    if (!window->state.scene) {
+        return false;
+    }
+    const SceneCamera *camera = &window->state.scene->camera;
+    const double depth = camera_space(camera, point).z;
+    const bool is_ahead = depth > camera_near_depth(camera);
+    if (is_ahead) {
+        *offset = picture_drag_offset(camera, depth, &picture, drag);
+    }
+    return is_ahead;
 }

@@ -340,8 +340,8 @@ void gui_readout(const char *id, const char *text, const unsigned char rgb[3], G
 void gui_mark_light(GuiPoint center, const char *name, bool is_selected);
 
 /** Marks where a light outside the picture is. @param tip Tip of the arrow. @param direction Where
- *  it points, of length 1. */
-void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
+ *  it points, of length 1. @return The middle of the arrow. */
+GuiPoint gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected);
 
 /* --- what a frame has written, for tests --------------------------------------------------------
  */

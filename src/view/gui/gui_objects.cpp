@@ -96,7 +96,7 @@ void gui_mark_light(GuiPoint center, const char *name, bool is_selected) {
     draw_name(list, ImVec2(middle.x, middle.y + 2.2F * radius), name);
 }
 
-void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected) {
+GuiPoint gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool is_selected) {
     ImDrawList *list = ImGui::GetBackgroundDrawList();
     float length = ARROW_LENGTH * ImGui::GetFontSize(), half = length / 3;
     ImVec2 end(tip.x, tip.y);
@@ -106,6 +106,7 @@ void gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bool i
     list->AddTriangleFilled(end, left, right, is_selected ? ACCENT : TEXT);
     list->AddTriangle(end, left, right, OUTLINE, 1.5F);
     draw_name(list, name_behind(start, direction, name), name);
+    return {(start.x + end.x) / 2, (start.y + end.y) / 2};
 }
 
 bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,

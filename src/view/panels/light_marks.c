@@ -21,8 +21,8 @@ static GuiPoint middle_of(const SDL_Rect *rect) {
 }
 
 /** Shows an arrow at the edge of the picture towards a light outside of it. @param right Where it
- *  is from the middle, of any length. */
-static void show_outside(const SDL_Rect *picture, double right, double down, const char *name,
+ *  is from the middle, of any length. @return The middle of the arrow. */
+static GuiPoint show_outside(const SDL_Rect *picture, double right, double down, const char *name,
                          bool is_selected) {
     double length = hypot(right, down);
     GuiPoint middle = middle_of(picture);
@@ -35,7 +35,27 @@ static void show_outside(const SDL_Rect *picture, double right, double down, con
     double reach = fmin((picture->w / 2.0 - gap) / fmax(fabs((double)direction.x), 1e-9),
                         (picture->h / 2.0 - gap) / fmax(fabs((double)direction.y), 1e-9));
     GuiPoint tip = {middle.x + (float)reach * direction.x, middle.y + (float)reach * direction.y};
-    gui_mark_outside(tip, direction, name, is_selected);
+    return gui_mark_outside(tip, direction, name, is_selected);
+}
+
+/** A light as the camera sees it. */
+typedef struct SeenLight {
+    Vec3d point;    /**< Where it is, in the camera's space. */
+    double right;   /**< Where it is seen from the middle of the picture, pixels; */
+    double down;    /**< behind the camera: where it would come into sight. */
+    bool is_inside; /**< Whether it is in the picture. */
+} SeenLight;
+
+/** Finds where a camera sees a light. @param center Of the light. */
+static SeenLight see_light(const SceneCamera *camera, const SDL_Rect *picture, Vec3d center) {
+    const ProjectedView view = {*camera, picture->w, picture->h};
+    SeenLight seen = {.point = camera_space(camera, center)};
+    double scale = projected_view_scale_at(&view, fabs(seen.point.z));
+    seen.right = seen.point.x * scale;
+    seen.down = -seen.point.y * scale;
+    seen.is_inside = seen.point.z > camera_near_depth(camera) &&
+                     fabs(seen.right) < picture->w / 2.0 && fabs(seen.down) < picture->h / 2.0;
+    return seen;
 }
 
 /** Shows one light. */
@@ -46,26 +66,20 @@ static void show_light(LightMarks *marks, const Scene *scene, size_t light, cons
     if (!scene_light_center(&scene->lights[light], &center)) {
         return;
     }
-    const ProjectedView view = {scene->camera, picture->w, picture->h};
-    Vec3d point = camera_space(&view.camera, center);
-    // Also behind the camera: the arrow at the edge points to where it would come into sight.
-    double scale = projected_view_scale_at(&view, fabs(point.z));
-    double right = point.x * scale, down = -point.y * scale;
-    bool is_ahead = point.z > camera_near_depth(&view.camera);
-    bool is_inside = is_ahead && fabs(right) < picture->w / 2.0 && fabs(down) < picture->h / 2.0;
+    const SeenLight seen = see_light(&scene->camera, picture, center);
     if (scene->light_count > 1) {
         snprintf(name, sizeof name, gettext("lamp %d"), (int)light + 1);
     } else {
         snprintf(name, sizeof name, "%s", gettext("lamp"));
     }
-    if (!is_inside) {
-        show_outside(picture, isfinite(right) ? right : point.x, isfinite(down) ? down : -point.y,
-                     name, is_selected);
-        return;
-    }
     GuiPoint middle = middle_of(picture);
-    GuiPoint place = {middle.x + (float)right, middle.y + (float)down};
-    gui_mark_light(place, name, is_selected);
+    GuiPoint place = {middle.x + (float)seen.right, middle.y + (float)seen.down};
+    if (seen.is_inside) {
+        gui_mark_light(place, name, is_selected);
+    } else {
+        place = show_outside(picture, isfinite(seen.right) ? seen.right : seen.point.x,
+                             isfinite(seen.down) ? seen.down : -seen.point.y, name, is_selected);
+    }
     marks->marks[marks->count++] = (LightMark){light, place};
 }
 
@@ -89,8 +103,15 @@ const LightMark *light_marks_at(const LightMarks *marks, GuiPoint point, float r
 
 bool light_marks_drag_offset(const Scene *scene, size_t light, const SDL_Rect *picture,
                              GuiPoint from, GuiPoint to, bool is_along, Vec3d *offset) {
+    const SceneCamera *camera = &scene->camera;
     Vec3d center;
-    return light < scene->light_count && scene_light_center(&scene->lights[light], &center) &&
-           picture_drag_offset(&scene->camera, center, picture, &(PictureDrag){from, to, is_along},
-                               offset);
+    if (light >= scene->light_count || !scene_light_center(&scene->lights[light], &center)) {
+        return false;
+    }
+    const SeenLight seen = see_light(camera, picture, center);
+    // Beside the camera the depth is hardly anything: a light there would not move.
+    const double depth =
+        seen.is_inside ? seen.point.z : fmax(vec3d_length(seen.point), camera_near_depth(camera));
+    *offset = picture_drag_offset(camera, depth, picture, &(PictureDrag){from, to, is_along});
+    return true;
 }

@@ -15,18 +15,13 @@ bool picture_point(const SceneCamera *camera, const SDL_Rect *picture, Vec3d poi
     return is_ahead;
 }
 
-bool picture_drag_offset(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
-                         const PictureDrag *drag, Vec3d *offset) {
+Vec3d picture_drag_offset(const SceneCamera *camera, double depth, const SDL_Rect *picture,
+                          const PictureDrag *drag) {
     const ProjectedView view = {*camera, picture->w, picture->h};
-    double depth = camera_space(camera, point).z;
-    if (!(depth > camera_near_depth(camera))) {
-        return false;
-    }
     double scale = 1 / projected_view_scale_at(&view, depth);
     Vec3d right =
         vec3d_scale(scene_camera_right(camera), (double)(drag->to.x - drag->from.x) * scale);
     double up = (double)(drag->from.y - drag->to.y) * scale;
-    *offset = drag->is_along ? vec3d_scale(camera->direction, up)
-                             : vec3d_add(right, vec3d_scale(camera->up, up));
-    return true;
+    return drag->is_along ? vec3d_scale(camera->direction, up)
+                          : vec3d_add(right, vec3d_scale(camera->up, up));
 }

@@ -26,13 +26,12 @@ bool picture_point(const SceneCamera *camera, const SDL_Rect *picture, Vec3d poi
                    GuiPoint *place);
 
 /**
- * Finds how far a thing moves that is dragged at one of its points: in the plane through the point
- * that faces the camera, or along the direction of view.
- * @param picture      The picture's rectangle, pixels of the window.
- * @param[out] offset  How far it moves, scene units.
- * @return false if the point is behind the camera.
+ * Finds how far a thing moves that is dragged: across the view, or along its direction.
+ * @param depth    How far ahead of the camera it is, scene units; at least #camera_near_depth.
+ * @param picture  The picture's rectangle, pixels of the window.
+ * @return How far it moves, scene units.
  */
-bool picture_drag_offset(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
-                         const PictureDrag *drag, Vec3d *offset);
+Vec3d picture_drag_offset(const SceneCamera *camera, double depth, const SDL_Rect *picture,
+                          const PictureDrag *drag);
 
 #endif

@@ -58,6 +58,21 @@ xdotool key f
 expect_shown 'a lesson keeps to its scene' 'not while a lesson is recorded'
 xdotool key r
 leave
+
+# --- lessons ---------------------------------------------------------------------------------------
+open "$root/scenes/box.lua" --samples 1
+shown finished
+xdotool key shift+f && settled
+xdotool key Return
+expect_shown '^Shadows' 'Shift F and Enter play the first lesson'
+xdotool key Escape Escape
+shown finished
+xdotool key f && settled
+xdotool key shift+f && settled
+cp "$work/a.ppm" "$work/lessons.ppm"
+xdotool key Home && settled
+cmp -s "$work/lessons.ppm" "$work/a.ppm" && ok 'Shift F in the list goes to the lessons' || fail 'Shift F in the list'
+leave
 # What is slow: a scene for ever, with others before and after it, and keys meanwhile.
 echo 'while true do end' >"$work/few/ever.lua"
 open "$work/few/box.lua" --samples 1

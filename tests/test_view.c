@@ -464,7 +464,7 @@ static void test_tooltips(void **state) {
             assert_false(earlier && strcmp(earlier, sentence) == 0);
         }
     }
-    assert_int_equal(count, 38);
+    assert_int_equal(count, 39);
     assert_string_equal(tooltip_write(&help, "undo", text), "take the last change back — Ctrl+Z");
     assert_string_equal(tooltip_write(&help, "magnifier", text),
                         "the pixels under the mouse as large squares — F4");

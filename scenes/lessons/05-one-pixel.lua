@@ -26,7 +26,7 @@ local first = {
   right = 2,
   because = {
     en = "Of the lamp's light hardly any meets the eye. From the eye, each ray counts.",
-    fr = "Presque rien de la lumière de la lampe n’arrive à l’œil. En partant de l’œil, chaque rayon est utile." },
+    fr = "Seule une infime partie de la lumière de la lampe atteint l’œil. En partant de l’œil, aucun rayon n’est perdu." },
 }
 
 mark(0.55, 0.92)

@@ -21,7 +21,7 @@ if stage >= 3 then lamp(0, 5.6, {0, 0, 1}) end
 
 -- White wall and white floor: they give back all the light that they get.
 local white = material { color = {1, 1, 1} }
-quad { corner = {-6, 0, -1.6}, u = {12, 0, 0}, v = {0, 6, 0}, material = white }
+quad { corner = {-6.71758, 0.36904, -1.6148}, u = {12, 0, 0}, v = {0, 6, 0}, material = white }
 quad { corner = {-6, 0, -1.6}, u = {0, 0, 10}, v = {12, 0, 0}, material = white }
 
 -- Each ball gives back what its colour says, and nothing else.

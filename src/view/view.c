@@ -83,7 +83,8 @@ static void run_command(App *app, const char *name, int repetitions, bool contin
  *  hidden by it. @param command Name of the command of that button; NULL: none. */
 static void close_covering_list(App *app, const char *command) {
     Browser *browser = &app->window.browser;
-    bool is_covering = command && strcmp(command, "scenes") != 0 && strcmp(command, "toolbar") != 0;
+    bool is_covering = command && strcmp(command, "scenes") != 0 &&
+                       strcmp(command, "lessons") != 0 && strcmp(command, "toolbar") != 0;
     if (browser->is_open && (browser->is_close_requested || is_covering)) {
         browser_close(browser);
         window_present(&app->window);
@@ -182,8 +183,7 @@ static void run_frame(App *app) {
     }
     if (app->wants_list && app->window.gui) {
         app->wants_list = false;
-        run_command(app, "scenes", 1, false);
-        browser_begin_at_top(&app->window.browser);
+        run_command(app, "lessons", 1, false); // Nobody has chosen the scene on screen.
     }
     run_requested_command(app);
     edits_handle_requests(app);

@@ -43,8 +43,8 @@ void window_set_hint(Window *window) {
     }
     help_key_names(&window->help, command_find(window->help.commands, "help"), help, sizeof help);
     snprintf(window->hint.text, sizeof window->hint.text,
-             gettext("Drag a light, or press %s. ↑ ← ↓ → move the camera. Click a thing to "
-                     "change it. Help: %s"),
+             gettext("Move a light: drag it, or press %s. The arrow keys move the camera. Click a "
+                     "thing to change it. Help: %s"),
              light, help);
     window->hint.end_time = clock_now_seconds() + HINT_SECONDS;
 }

@@ -367,13 +367,18 @@ void action_switch_language(App *app, int argument) {
 }
 
 void action_browse_scenes(App *app, int argument) {
-    (void)argument;
+    Browser *browser = &app->window.browser;
     const bool was_covered = app->window.help.is_open;
     app->window.help.is_open = false; // It would cover the list.
-    if (!app->window.browser.is_open) {
+    if (!browser->is_open) {
         current_scene_browse(app);
+        if (argument && browser->is_open) {
+            browser_begin_at_top(browser);
+        }
+    } else if (argument) {
+        browser_go_to(browser, BROWSER_LESSONS);
     } else if (!was_covered) {
-        browser_close(&app->window.browser);
+        browser_close(browser);
     }
     window_present(&app->window);
 }

@@ -63,7 +63,7 @@
 /** The help of the other layers. */
 #define LAST_LAYERS .help = N_("show rays, marching, time, error, acne; rounding")
 /** The help of the keys that choose rays. */
-#define RAY_STEPS .help = N_("of these rays: the one before, after, in flight")
+#define RAY_STEPS .help = N_("the ray before, after; let the next one fly")
 /** The help of the keys that hide rays. */
 #define RAY_SORTS .help = N_("show or hide camera, shadow, mirrored, refracted rays")
 /** The help of the keys of drawings beside the rays. */
@@ -73,7 +73,8 @@
 
 // clang-format off
 const Command command_table[] = {
-    {"scenes", {KEY(f)}, N_("scenes"), SCENES, .help = N_("all scenes and lessons: a list with pictures"), .flags = COMMAND_UNRECORDED, RUNS(action_browse_scenes, 0)},
+    {"scenes", {KEY(f)}, N_("scenes"), SCENES, .help = N_("all scenes and lessons, with pictures (Shift: lessons)"), .flags = COMMAND_UNRECORDED, RUNS(action_browse_scenes, 0)},
+    {"lessons", {KEY(f)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED, RUNS(action_browse_scenes, 1)},
     {"record", {KEY(r)}, N_("record"), SCENES, .help = N_("record a lesson, or end it"), .flags = COMMAND_UNRECORDED, RUNS(action_toggle_recording, 0)},
     {"caption", {NAMED(RETURN, N_("Enter"))}, N_("words"), SCENES, .help = N_("type words for the lesson recorded"), .flags = COMMAND_UNRECORDED, RUNS(action_begin_caption, 0)},
 
@@ -140,20 +141,20 @@ const Command command_table[] = {
     {"as at first", {NAMED(BACKSPACE, N_("Backspace"))}, N_("as at first"), PICTURE, .help = N_("settings and layer as at first"), .flags = COMMAND_CHOICE, RUNS(action_reset_settings, 0)},
     {"split", {KEY(x)}, N_("split"), PICTURE, .help = N_("two pictures, their difference, one"), .flags = COMMAND_CHOICE, RUNS(action_cycle_split, 1)},
     {"split back", {KEY(x)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_cycle_split, -1)},
-    {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("which of two pictures keys change"), RUNS(action_swap_side, 0)},
+    {"other side", {KEY(t)}, N_("side"), PICTURE, .help = N_("choose which of two pictures keys change"), RUNS(action_swap_side, 0)},
     {"bar left", {KEY(F6)}, N_("bar ←"), PICTURE, .help = N_("bar between two pictures: left, right"), .flags = COMMAND_REPEATS, RUNS(action_move_bar, -1)},
     {"bar right", {KEY(F7)}, N_("bar →"), PICTURE, .help = N_("bar between two pictures: left, right"), .flags = COMMAND_REPEATS, RUNS(action_move_bar, 1)},
 
     {"next thing", {KEY(F3)}, N_("thing"), OBJECTS, .help = N_("select the next thing (Shift: before)"), .flags = COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, 1)},
     {"thing before", {KEY(F3)}, .flags = COMMAND_SHIFT | COMMAND_UNRECORDED | COMMAND_REPEATS, RUNS(action_select_thing, -1)},
-    {"inspector keys", {KEY(F10)}, N_("edit"), OBJECTS, .help = N_("its values by keys: arrows; Esc: back"), .flags = COMMAND_UNRECORDED, RUNS(action_take_keyboard, 0)},
+    {"inspector keys", {KEY(F10)}, N_("edit"), OBJECTS, .help = N_("set its values by keys: arrows; Esc: back"), .flags = COMMAND_UNRECORDED, RUNS(action_take_keyboard, 0)},
     {"things", {KEY(F10)}, NULL, OBJECTS, .help = N_("all things of the scene: a list"), .flags = COMMAND_SHIFT | COMMAND_UNRECORDED, RUNS(action_list_things, 0)},
     {"undo", {KEY(z)}, NULL, OBJECTS, .help = N_("take a change back, do it again"), .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(action_undo, 0)},
     {"redo", {KEY(y)}, NULL, OBJECTS, .help = N_("take a change back, do it again"), .flags = COMMAND_CTRL | COMMAND_REPEATS, RUNS(action_redo, 0)},
     {"undo back", {KEY(z)}, .flags = COMMAND_CTRL | COMMAND_SHIFT | COMMAND_REPEATS, RUNS(action_redo, 0)},
-    {"copy object", {KEY(c)}, NULL, OBJECTS, .help = N_("the thing as text of a scene, to paste"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(action_copy_object, 0)},
+    {"copy object", {KEY(c)}, NULL, OBJECTS, .help = N_("copy the thing as text of a scene"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(action_copy_object, 0)},
     {"save copy", {KEY(s)}, .flags = COMMAND_CTRL | COMMAND_SHIFT | COMMAND_UNRECORDED, RUNS(action_save_copy, 0)},
-    {"write object", {KEY(s)}, NULL, OBJECTS, .help = N_("changes into the scene file (Shift: a copy)"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(action_write_object, 0)},
+    {"write object", {KEY(s)}, NULL, OBJECTS, .help = N_("save changes in the scene file (Shift: a copy)"), .flags = COMMAND_CTRL | COMMAND_UNRECORDED, RUNS(action_write_object, 0)},
 
     {"rays", {KEY(v)}, N_("rays"), RAYS, .help = N_("rays of the pixel under the mouse, or the picture"), RUNS(action_toggle_rays, 0)},
     {NULL, {NO_KEY(N_("Click"))}, NULL, RAYS, .help = N_("beside the rays: those of the pixel clicked")},

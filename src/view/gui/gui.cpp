@@ -31,7 +31,7 @@ void set_style() {
     style.WindowBorderSize = 0;
     style.PopupBorderSize = 0;
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.06F, 0.07F, 0.11F, 0.84F);
-    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.06F, 0.07F, 0.11F, 0.96F);
+    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.06F, 0.07F, 0.11F, 1);
     style.Colors[ImGuiCol_Button] = ImVec4(1, 1, 1, 0.10F);
     style.Colors[ImGuiCol_ButtonHovered] = ImVec4(1, 1, 1, 0.24F);
     style.Colors[ImGuiCol_ButtonActive] = ImVec4(1, 1, 1, 0.36F);

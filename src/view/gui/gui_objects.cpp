@@ -142,7 +142,7 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
                              : io.DisplaySize.y - 2 * size;
     gui->inspector_room = room;
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
-                               fmaxf(0, fminf(corner.y, lowest))));
+                               fmaxf(top, fminf(corner.y, lowest))));
     ImGui::PushItemWidth(INSPECTOR_WIDGET_WIDTH * size);
     return is_open;
 }

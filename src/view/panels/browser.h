@@ -50,7 +50,7 @@ bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event
 /** Selects the scene on screen, once, if it is in the list by now. */
 void browser_select_current(Browser *browser);
 
-/** Selects the first lesson, not the scene on screen: nobody has chosen that. */
+/** Selects the first lesson, not the scene on screen. */
 void browser_begin_at_top(Browser *browser);
 
 /** Closes the list, without waiting for its thread. */

@@ -161,9 +161,9 @@ static void picture_settings(Toolbar *toolbar, const ToolbarContent *content) {
 /** The menu of what is about the window, not about the picture; a folded bar has a button instead,
  *  which unfolds it. */
 static void menu(Toolbar *toolbar, const ToolbarContent *content) {
-    static const char *const commands[] = {"toolbar",     "toolbar keys", "presentation",
-                                           "full screen", "text larger",  "text smaller",
-                                           "language",    "record",       "quit"};
+    static const char *const commands[] = {
+        "toolbar",      "toolbar keys", "presentation", "full screen", "text larger",
+        "text smaller", "language",     "lessons",      "record",      "quit"};
     enum { COUNT = sizeof commands / sizeof *commands };
     const bool has_way_out = way_out_exists();
     const int count = has_way_out ? COUNT : COUNT - 1; // The last one is the way out.
@@ -172,8 +172,8 @@ static void menu(Toolbar *toolbar, const ToolbarContent *content) {
         return;
     }
     if (!gui_menu_begin("☰", has_way_out
-                                 ? gettext("bar, letters, language, lessons to record, the way out")
-                                 : gettext("bar, letters, language, lessons to record"))) {
+                                 ? gettext("bar, letters, language, lessons, the way out")
+                                 : gettext("bar, letters, language, lessons"))) {
         return;
     }
     for (int i = 0; i < count; i++) {

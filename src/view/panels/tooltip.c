@@ -32,6 +32,7 @@ static const Sentence sentences[] = {
     {"language", N_("English, français")},
     {"quit", N_("leave dioptre")},
     {"scenes", N_("lessons and scenes: a list with pictures, or back to the picture")},
+    {"lessons", N_("lessons: a list with pictures")},
     {"layer light", N_("what each pixel shows: its light, or a number such as the distance, the "
                        "rays it took, rounding errors, acne")},
     {"offset", N_("how far above a surface the next rays start, so that it does not shadow itself "

@@ -14,13 +14,18 @@ const PATIENCE = 60000;
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
   ".wasm": "application/wasm", ".svg": "image/svg+xml" };
 
-/** Serves the page. With isHosting the host sends the headers of isolation; else the page must help itself. */
-const serve = (isHosting) => new Promise((resolve) => {
+/** Serves the page. With isHosting the host sends the headers of isolation; else the page must help itself. `lost` names a file
+ * for which the connection breaks. */
+const serve = (isHosting, lost) => new Promise((resolve) => {
   const server = http.createServer((request, response) => {
     const file = path.join(ROOT, path.normalize(decodeURIComponent(new URL(request.url, "http://x").pathname).replace(/\/$/, "/index.html")));
     if (!file.startsWith(ROOT) || !fs.existsSync(file) || fs.statSync(file).isDirectory()) {
       response.writeHead(404);
       response.end();
+      return;
+    }
+    if (path.basename(file) === lost) {
+      request.socket.destroy();
       return;
     }
     response.setHeader("Content-Type", TYPES[path.extname(file)] || "application/octet-stream");

@@ -2,7 +2,7 @@
 // the page has no clipboard.
 "use strict";
 
-const { PATIENCE, SCHOOL, check, drop, editText, editorText, errorText, launchAtSchool, openPage, serve, settled, waitError } = require("./browser.js");
+const { PATIENCE, SCHOOL, check, drop, editText, editorText, errorText, launchAtSchool, openPage, serve, settled, until, waitError } = require("./browser.js");
 const fs = require("fs");
 
 const described = (page, pattern) => page.waitForFunction((source) =>
@@ -31,6 +31,9 @@ const markedLine = (page) => page.waitForFunction(() => {
   return mark && [...root.querySelectorAll(".cm-line")].indexOf(mark.closest(".cm-line")) + 1;
 }, null, { timeout: PATIENCE }).then((handle) => handle.jsonValue());
 
+/** Waits until the editor shows a text: the error of a file in place of that which is shown can come first. */
+const showsText = (page, text) => until(page, (words) => dioptre.editor.text() === words, text);
+
 /** A faulty file is dropped: its text is there with its error at its line; it is drawn once it is mended. */
 const testDrop = async (page) => {
   for (const name of ["dropped.lua", "box.lua"]) { // A file of its own, and one in place of that which is shown.
@@ -38,7 +41,7 @@ const testDrop = async (page) => {
     await described(page, /^The picture of the scene box; /);
     await drop(page, [[name, FAULTY]]);
     const error = await waitError(page, /:3: /);
-    check(await editorText(page) === FAULTY, `${name}: the editor shows what was dropped`);
+    check(await showsText(page, FAULTY), `${name}: the editor shows what was dropped`);
     check(error.includes(`${name}:3:`) && await markedLine(page) === 3, `with its error at its line: ${error}`);
     check(await page.inputValue("#scenes") === name, "under its name");
     await described(page, /^The picture of the scene box; /);
@@ -47,7 +50,7 @@ const testDrop = async (page) => {
     check(await errorText(page) === "" && await editorText(page) === MENDED, "it is drawn once it is mended");
     await drop(page, [[name, FAULTY]]);
     await waitError(page, /:3: /);
-    check(await editorText(page) === FAULTY, "dropped once more, it is shown once more");
+    check(await showsText(page, FAULTY), "dropped once more, it is shown once more");
   }
 };
 

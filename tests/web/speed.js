@@ -89,7 +89,10 @@ const firstPicture = async (page, url) => {
   await page.goto(url);
   await page.waitForFunction(() => window.drawn?.some((frame) => frame.isPicture), null, { polling: 10 });
   page.off("request", note);
-  return { time: await page.evaluate(() => window.drawn.find((frame) => frame.isPicture).time), requests };
+  const time = await page.evaluate(() => window.drawn.find((frame) => frame.isPicture).time);
+  // What the picture has set off may be on its way before it is seen here.
+  const later = await page.evaluate((end) => performance.getEntriesByType("resource").filter((entry) => entry.startTime > end).map((entry) => entry.name), time);
+  return { time, requests: requests.filter((request) => !later.includes(request)) };
 };
 
 /** Loads the page in new browsers, and in each once more. @return { cold, warm, requests } */

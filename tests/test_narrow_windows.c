@@ -1,8 +1,8 @@
 /**
  * @file
- * @brief What must not end the program, though Dear ImGui does not expect it: panels in windows that
- * are too narrow for them, where a row has no width; a thing that is chosen while the keyboard is
- * the inspector's, but the focus is not.
+ * @brief What must not end the program, though Dear ImGui does not expect it: panels in windows
+ * that are too narrow for them, where a row has no width; a thing that is chosen while the keyboard
+ * is the inspector's, but the focus is not.
  */
 #include "no_thumbnails.h"
 #include "window_texts.h"
@@ -144,10 +144,8 @@ static void test_lesson(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_help),
-        cmocka_unit_test(test_list),
-        cmocka_unit_test(test_inspector),
-        cmocka_unit_test(test_lost_focus),
+        cmocka_unit_test(test_help),      cmocka_unit_test(test_list),
+        cmocka_unit_test(test_inspector), cmocka_unit_test(test_lost_focus),
         cmocka_unit_test(test_lesson),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);

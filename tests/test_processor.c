@@ -17,14 +17,14 @@ static const struct {
     int model;           /**< Model. */
     bool prefers_avx512; /**< Whether the engine of 16 lanes was measured to be faster. */
 } known[] = {
-    {"GenuineIntel", 0x000c06f2, 6, 0xcf, true},   // Emerald Rapids.
-    {"GenuineIntel", 0x000806f8, 6, 0x8f, true},   // Sapphire Rapids.
-    {"GenuineIntel", 0x00050657, 6, 0x55, false},  // Cascade Lake, which lowers its clock.
-    {"GenuineIntel", 0x000306c3, 6, 0x3c, false},  // Haswell, without AVX-512.
-    {"GenuineIntel", 0x00000f43, 15, 4, false},    // Pentium 4: a family with an extension of 0.
-    {"AuthenticAMD", 0x00a10f11, 25, 0x11, true},  // Zen 4: two halves, and faster.
-    {"AuthenticAMD", 0x000806f8, 6, 0x8f, false},  // Another maker's numbers mean others.
-    {"", 0, 0, 0, false},                          // No CPUID at all.
+    {"GenuineIntel", 0x000c06f2, 6, 0xcf, true},  // Emerald Rapids.
+    {"GenuineIntel", 0x000806f8, 6, 0x8f, true},  // Sapphire Rapids.
+    {"GenuineIntel", 0x00050657, 6, 0x55, false}, // Cascade Lake, which lowers its clock.
+    {"GenuineIntel", 0x000306c3, 6, 0x3c, false}, // Haswell, without AVX-512.
+    {"GenuineIntel", 0x00000f43, 15, 4, false},   // Pentium 4: a family with an extension of 0.
+    {"AuthenticAMD", 0x00a10f11, 25, 0x11, true}, // Zen 4: two halves, and faster.
+    {"AuthenticAMD", 0x000806f8, 6, 0x8f, false}, // Another maker's numbers mean others.
+    {"", 0, 0, 0, false},                         // No CPUID at all.
 };
 
 /** Family and model are put together as the makers' manuals say. */

@@ -14,7 +14,7 @@ typedef struct ViewRequest {
     const char *path;  /**< Its file, or that of a lesson; NULL: the scene that was loaded last. */
     double time;       /**< Its `t`, seconds. */
     bool force_reload; /**< Whether its files may have changed since they were read. */
-    bool is_lesson_over; /**< Whether no lesson plays that the scene was loaded with. */
+    bool is_lesson_over;            /**< Whether no lesson plays that the scene was loaded with. */
     const SceneOverride *overrides; /**< Values in place of those of its file; NULL: none. */
     size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
 } ViewRequest;

@@ -80,7 +80,8 @@ static Lesson *open_lesson(const char *path, Options *options, Error *error) {
     return lesson;
 }
 
-/** @return The settings of a scene without those of a lesson, but of the size that it has with them.
+/** @return The settings of a scene without those of a lesson, but of the size that it has with
+ * them.
  */
 static RenderSettings own_settings(const SceneSource *source, const Options *options,
                                    const Scene *scene) {

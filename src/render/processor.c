@@ -24,8 +24,8 @@ typedef struct MeasuredSeries {
 
 /** Ten scenes or more of this program, of all kinds, drawn in turn by both engines. */
 static const MeasuredSeries measured[] = {
-    {"GenuineIntel", 6, 0x8f, true}, // Sapphire Rapids.
-    {"GenuineIntel", 6, 0xcf, true}, // Emerald Rapids: 1.05 to 1.3 times as fast.
+    {"GenuineIntel", 6, 0x8f, true},  // Sapphire Rapids.
+    {"GenuineIntel", 6, 0xcf, true},  // Emerald Rapids: 1.05 to 1.3 times as fast.
     {"AuthenticAMD", 25, 0x11, true}, // Zen 4, Genoa: 0.93 to 1.3 times, 14 of 15 scenes above 1.
 };
 

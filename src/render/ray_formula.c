@@ -158,7 +158,8 @@ static void add_shares(const RayTreeSurface *surface, RayFormulas *formulas) {
     double own = 1 - mirrored - refracted;
     if (own > SHARE_MINIMUM) {
         add(formulas, gettext("result"),
-            gettext("%.3g %% are mirrored, %.3g %% refracted, %.3g %% show the surface's own colour"),
+            gettext(
+                "%.3g %% are mirrored, %.3g %% refracted, %.3g %% show the surface's own colour"),
             100 * mirrored, 100 * refracted, 100 * own);
     } else {
         add(formulas, gettext("result"), gettext("%.3g %% are mirrored, %.3g %% refracted"),

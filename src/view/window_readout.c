@@ -90,7 +90,8 @@ static bool is_near(GuiPoint point, const GuiRect *rect, float reach) {
            point.y >= rect->y - reach && point.y < rect->y + rect->height + reach;
 }
 
-/** @return Whether the pixel of the readout is near a part of the window, or one that a lesson marks.
+/** @return Whether the pixel of the readout is near a part of the window, or one that a lesson
+ * marks.
  *  @param reach How near, screen units. */
 static bool is_pixel_near(const Window *window, const GuiRect *rect, float reach) {
     const Readout *readout = &window->readout;

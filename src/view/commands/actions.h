@@ -115,8 +115,8 @@ void action_scale_text(App *app, int steps);
 /** Changes the language. A faulty scene is loaded again, for its error in that language. */
 void action_switch_language(App *app, int argument);
 
-/** Opens the list of scenes, or closes it. @param argument 1: at the lessons; then an open list goes
- *  there. */
+/** Opens the list of scenes, or closes it. @param argument 1: at the lessons; then an open list
+ * goes there. */
 void action_browse_scenes(App *app, int argument);
 
 /** Begins to record a lesson, or ends it. */

@@ -12,10 +12,9 @@ void gui_on_keymap(Gui *gui) {
         ImGuiKey_ key;           /**< Its name for it. */
         SDL_Keycode letter;      /**< What is printed on it. */
         SDL_Scancode on_us_keys; /**< Where it lies on a keyboard that has no Latin letters. */
-    } letters[] = {
-        {ImGuiKey_A, SDLK_a, SDL_SCANCODE_A}, {ImGuiKey_C, SDLK_c, SDL_SCANCODE_C},
-        {ImGuiKey_V, SDLK_v, SDL_SCANCODE_V}, {ImGuiKey_X, SDLK_x, SDL_SCANCODE_X},
-        {ImGuiKey_Y, SDLK_y, SDL_SCANCODE_Y}, {ImGuiKey_Z, SDLK_z, SDL_SCANCODE_Z}};
+    } letters[] = {{ImGuiKey_A, SDLK_a, SDL_SCANCODE_A}, {ImGuiKey_C, SDLK_c, SDL_SCANCODE_C},
+                   {ImGuiKey_V, SDLK_v, SDL_SCANCODE_V}, {ImGuiKey_X, SDLK_x, SDL_SCANCODE_X},
+                   {ImGuiKey_Y, SDLK_y, SDL_SCANCODE_Y}, {ImGuiKey_Z, SDLK_z, SDL_SCANCODE_Z}};
     if (!gui) {
         return;
     }

@@ -46,9 +46,9 @@ static void load_scene(SceneLoader *loader, SceneLoad *load) {
                                  .force_reload = load->force_reload,
                                  .overrides = loader->overrides,
                                  .override_count = loader->override_count};
-    load->scene = settings->load(settings->loader_context, &request, &loader->should_stop,
-                                 &load->base_settings, &load->own_settings, &load->lesson,
-                                 &load->error);
+    load->scene =
+        settings->load(settings->loader_context, &request, &loader->should_stop,
+                       &load->base_settings, &load->own_settings, &load->lesson, &load->error);
     if (load->is_lesson_over && !load->lesson) {
         load->base_settings = load->own_settings;
     }

@@ -23,7 +23,7 @@ static GuiPoint middle_of(const SDL_Rect *rect) {
 /** Shows an arrow at the edge of the picture towards a light outside of it. @param right Where it
  *  is from the middle, of any length. @return The middle of the arrow. */
 static GuiPoint show_outside(const SDL_Rect *picture, double right, double down, const char *name,
-                         bool is_selected) {
+                             bool is_selected) {
     double length = hypot(right, down);
     GuiPoint middle = middle_of(picture);
     if (!(length > 0)) {

@@ -171,9 +171,8 @@ static void menu(Toolbar *toolbar, const ToolbarContent *content) {
         command_button(toolbar, content, "☰", "toolbar", false);
         return;
     }
-    if (!gui_menu_begin("☰", has_way_out
-                                 ? gettext("bar, letters, language, lessons, the way out")
-                                 : gettext("bar, letters, language, lessons"))) {
+    if (!gui_menu_begin("☰", has_way_out ? gettext("bar, letters, language, lessons, the way out")
+                                         : gettext("bar, letters, language, lessons"))) {
         return;
     }
     for (int i = 0; i < count; i++) {

@@ -50,12 +50,12 @@ typedef struct Command {
     const CommandKey keys[COMMAND_KEYS]; /**< Its keys. */
     const char *cap;                     /**< What it does, in a word, for the drawn keyboard, in
                                               English; NULL: #help. */
-    const char *group; /**< Heading of the help above it; NULL: not in the help. */
+    const char *group;   /**< Heading of the help above it; NULL: not in the help. */
     const char *keys_of; /**< Command whose keys it has in the help; NULL: its own. */
-    const char *help;  /**< What it does, in English. Neighbours with equal texts
-                            share a row of the help. */
-    unsigned flags;    /**< See #CommandFlags. */
-    Move move;         /**< What it moves while its key is held. */
+    const char *help;    /**< What it does, in English. Neighbours with equal texts
+                              share a row of the help. */
+    unsigned flags;      /**< See #CommandFlags. */
+    Move move;           /**< What it moves while its key is held. */
     void (*run)(App *app, int argument); /**< Runs it; NULL: it is a move, or no command. */
     int argument;                        /**< Second argument of #run. */
 } Command;

@@ -64,8 +64,8 @@ void view_history_rebase(ViewHistory *history, const RenderSettings *from,
 void view_history_note(ViewHistory *history, const ViewState *home, const Scene *scene,
                        const ViewStep *step, double now);
 
-/** Notes what was chosen, before it changes. @param edits Number of edits in force. @param continues
- *  Whether it belongs to the choice before it. */
+/** Notes what was chosen, before it changes. @param edits Number of edits in force. @param
+ * continues Whether it belongs to the choice before it. */
 void view_history_note_choice(ViewHistory *history, const PictureChoice *before, size_t edits,
                               bool continues);
 

@@ -118,7 +118,7 @@ const Command command_table[] = {
     {"layer error", {ONLY_PLACE(9, "9")}, N_("error"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ERROR)},
     {"layer acne", {ONLY_PLACE(0, "0")}, N_("acne"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ACNE)},
     {"layer rounding", {KEY(y)}, N_("round"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ROUNDING)},
-    {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none, fixed, bound"), .flags = COMMAND_CHOICE, RUNS(action_change_offset, 1)},
+    {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none (shows acne), fixed, bound"), .flags = COMMAND_CHOICE, RUNS(action_change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_change_offset, -1)},
     {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_CHOICE | COMMAND_REPEATS, RUNS(action_change_epsilon, -2)},
     {"epsilon tenth", {ONLY_PLACE(LEFTBRACKET, NULL)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT | COMMAND_REPEATS, RUNS(action_change_epsilon, -10)},

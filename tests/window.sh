@@ -593,6 +593,7 @@ help() {
 }
 LC_ALL=C.UTF-8 LANGUAGE=fr open "$box" --samples 1
 expect_shown '^boîte — 800×600, passe de 1.*px, 1 échantillon, .*Mrayons/s, terminé$' 'the title is French'
+settled # The bar goes, and the hint with it.
 screen quiet
 for keyboard in us fr ch; do help $keyboard french; done
 differ quiet help-french-us 'F1 shows the help in French'

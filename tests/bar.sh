@@ -18,13 +18,19 @@ shoot
 same "$shot" "$work/render.bmp" 'a snapshot under the bar equals render'
 
 # --- marks of lights ---------------------------------------------------------------------------------
+# drag_mark X: drags what is X pixels from the left, at the upper edge of the picture; sets was and now.
+drag_mark() {
+    shoot
+    was=($(light))
+    xdotool mousemove --window "$window" "$1" $((top + 16)) mousedown 1
+    xdotool mousemove --window "$window" $((($1 + 300) / 2)) $((top + 60)) \
+        mousemove --window "$window" 300 $((top + 150)) mouseup 1
+    shoot
+    now=($(light))
+}
 # The light of the box is at the top of the picture, in its middle.
-was=($(light))
 top=$((tall - 600))
-xdotool mousemove --window "$window" 400 $((top + 16)) mousedown 1
-xdotool mousemove --window "$window" 340 $((top + 60)) mousemove --window "$window" 300 $((top + 150)) mouseup 1
-shoot
-now=($(light))
+drag_mark 400
 awk "BEGIN { exit !(${now[0]} < ${was[0]} - 0.1 && ${now[1]} < ${was[1]} - 0.1) }" &&
     ok 'a light is dragged by its mark' || fail "the light went from ${was[*]} to ${now[*]}"
 awk "BEGIN { d = ${now[2]} - ${was[2]}; exit !(d < 1e-9 && d > -1e-9) }" &&
@@ -38,28 +44,24 @@ awk "BEGIN { exit !(${now[2]} < ${was[2]} - 0.1 && ${now[0]} - ${was[0]} < 0.01)
     ok 'with Shift along the direction of view' || fail "the light went from ${was[*]} to ${now[*]}"
 xdotool key Home
 
-# drag_mark NAME: drags what is in the middle of the picture's upper edge, which is now the window's; sets was, now.
-drag_mark() {
-    within height_is 600 || fail "$1: the window is $(height) high"
-    shoot
-    was=($(light))
-    xdotool mousemove --window "$window" 400 16 mousedown 1
-    xdotool mousemove --window "$window" 340 60 mousemove --window "$window" 300 150 mouseup 1
-    shoot
-    now=($(light))
-    xdotool key Home
-}
+# Without the bar the window is as high as the picture.
 height_is() { [ "$(height)" -eq "$1" ]; }
+top=0
 xdotool key F5
-drag_mark 'a presentation'
+within height_is 600 || fail "a presentation is $(height) high"
+drag_mark 400
+xdotool key Home
 [ "${now[*]}" != "${was[*]}" ] && ok 'a light is dragged in a presentation' || fail "the light stays at ${was[*]}"
 xdotool key F5
 within height_is "$tall"
 xdotool key F2
-drag_mark 'without toolbar'
+within height_is 600 || fail "without the bar the window is $(height) high"
+drag_mark 400
+xdotool key Home
 [ "${now[*]}" = "${was[*]}" ] && ok 'without the toolbar, a light has no mark' || fail "the light went from ${was[*]} to ${now[*]}"
 xdotool key F2
 within height_is "$tall"
+top=$((tall - 600))
 
 # --- the screen as a picture -------------------------------------------------------------------------
 xdotool key 3
@@ -264,12 +266,7 @@ leave
 open "$root/scenes/glass-sphere.lua" --samples 1
 settled
 top=$(($(height) - 600))
-shoot
-was=($(light))
-xdotool mousemove --window "$window" 220 $((top + 16)) mousedown 1
-xdotool mousemove --window "$window" 260 $((top + 60)) mousemove --window "$window" 300 $((top + 150)) mouseup 1
-shoot
-now=($(light))
+drag_mark 220
 awk "BEGIN { exit !(${now[0]} > ${was[0]} + 0.1 && ${now[1]} < ${was[1]} - 0.1) }" &&
     ok 'a light outside the picture is dragged by its arrow' || fail "it went from ${was[*]} to ${now[*]}"
 xdotool key Home

@@ -41,8 +41,9 @@ static GuiPoint show_outside(const SDL_Rect *picture, double right, double down,
 /** A light as the camera sees it. */
 typedef struct SeenLight {
     Vec3d point;    /**< Where it is, in the camera's space. */
-    double right;   /**< Where it is seen from the middle of the picture, pixels; */
-    double down;    /**< behind the camera: where it would come into sight. */
+    double right;   /**< Right of the middle of the picture, pixels. Of a light behind the camera:
+                         where it would come into sight. */
+    double down;    /**< The same, below the middle. */
     bool is_inside; /**< Whether it is in the picture. */
 } SeenLight;
 

@@ -217,8 +217,8 @@ bool window_ray_at(const Window *window, int x, int y, size_t *ray);
 bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPoint to,
                         bool is_along, Vec3d *offset);
 
-/** Finds how far a thing moves that is dragged at one of its points. See #picture_drag_offset.
- *  @return false if the point is behind the camera. */
+/** Finds how far a thing moves that is dragged at one of its points. See
+ * #picture_drag_offset_at. */
 bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
                            Vec3d *offset);
 

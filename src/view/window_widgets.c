@@ -2,7 +2,6 @@
  * @file
  * @brief Buttons, lists, marks and panels over the picture: one frame of them.
  */
-#include "render/projected_view.h"
 #include "view/window_internal.h"
 
 #include <math.h>
@@ -259,14 +258,6 @@ bool window_drag_offset(const Window *window, size_t light, GuiPoint from, GuiPo
 bool window_drag_offset_at(const Window *window, Vec3d point, const PictureDrag *drag,
                            Vec3d *offset) {
     SDL_Rect picture = window_to_units(window, window_picture_rect(window));
-    if (!window->state.scene) {
-        return false;
-    }
-    const SceneCamera *camera = &window->state.scene->camera;
-    const double depth = camera_space(camera, point).z;
-    const bool is_ahead = depth > camera_near_depth(camera);
-    if (is_ahead) {
-        *offset = picture_drag_offset(camera, depth, &picture, drag);
-    }
-    return is_ahead;
+    return window->state.scene &&
+           picture_drag_offset_at(&window->state.scene->camera, point, &picture, drag, offset);
 }

@@ -25,3 +25,13 @@ Vec3d picture_drag_offset(const SceneCamera *camera, double depth, const SDL_Rec
     return drag->is_along ? vec3d_scale(camera->direction, up)
                           : vec3d_add(right, vec3d_scale(camera->up, up));
 }
+
+bool picture_drag_offset_at(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
+                            const PictureDrag *drag, Vec3d *offset) {
+    const double depth = camera_space(camera, point).z;
+    const bool is_ahead = depth > camera_near_depth(camera);
+    if (is_ahead) {
+        *offset = picture_drag_offset(camera, depth, picture, drag);
+    }
+    return is_ahead;
+}

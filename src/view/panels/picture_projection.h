@@ -34,4 +34,9 @@ bool picture_point(const SceneCamera *camera, const SDL_Rect *picture, Vec3d poi
 Vec3d picture_drag_offset(const SceneCamera *camera, double depth, const SDL_Rect *picture,
                           const PictureDrag *drag);
 
+/** #picture_drag_offset of a thing that is dragged at one of its points. @return false if that is
+ *  behind the camera. */
+bool picture_drag_offset_at(const SceneCamera *camera, Vec3d point, const SDL_Rect *picture,
+                            const PictureDrag *drag, Vec3d *offset);
+
 #endif

@@ -30,14 +30,6 @@ static size_t shapes_size(const Scene *scene) {
     return size;
 }
 
-/** Sets one of LANES boxes. */
-static void aabb_set_lane(Aabb *block, int i, Aabbs box) {
-    for (int axis = 0; axis < 3; axis++) {
-        real_set_lane(&block->planes[axis], i, box.low[axis]);
-        real_set_lane(&block->planes[axis + 3], i, box.high[axis]);
-    }
-}
-
 /** Creates the shapes in #ShapeSet.memory. @return false without memory. */
 static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes, Error *error) {
     char *next = set->memory;
@@ -123,9 +115,9 @@ static void shapes_partition(ShapeSet *set, BvhInput *input) {
             input->indices[input->count++] = (uint32_t)i;
         } else {
             size_t index = set->linear_count++;
-            // A single ray is tested against this box only: see single_ray_may_meet().
+            // A single ray is tested against this box only: see single_ray_candidates().
             box = LANES == 1 && shape_exceeds_box(set->shapes[i]) ? aabbs_infinite() : box;
-            aabb_set_lane(&set->linear_bounds[index / LANES], (int)(index % LANES), box);
+            aabb_pack_set(&set->linear_bounds[index / AABB_PACK_SIZE], index % AABB_PACK_SIZE, box);
             set->linear[index] = set->shapes[i];
         }
     }

@@ -5,6 +5,7 @@
 #ifndef DIOPTRE_TRACE_BVH_SHAPE_SET_H
 #define DIOPTRE_TRACE_BVH_SHAPE_SET_H
 
+#include "trace/bvh/aabb_pack.h"
 #include "trace/bvh/bvh.h"
 
 /** A set of shapes: if there are many bounded ones, they are in a BVH; all others are in a list. */
@@ -13,18 +14,13 @@ typedef struct ShapeSet {
     void *memory;            /**< Memory of the shapes; owned. NULL: another set owns it. */
     size_t count;            /**< Number of #shapes. */
     Shape **linear;          /**< The shapes outside the BVH; the array is owned. */
-    Aabb *linear_bounds;     /**< Their bounding boxes, LANES per element; owned. */
+    AabbPack *linear_bounds; /**< Their bounding boxes; owned. */
     size_t linear_count;     /**< Number of #linear. */
     size_t bvh_threshold;    /**< Number of bounded shapes from which on there is a BVH. */
     bool may_exceed_box;     /**< Whether there is a shape for which shape_exceeds_box(). */
     bool bvh_over_instances; /**< Whether the BVH contains shapes with a BVH of their own. */
     Bvh bvh;                 /**< BVH over indices in #shapes; without nodes if there is none. */
 } ShapeSet;
-
-/** @return Number of elements of #ShapeSet.linear_bounds for a number of shapes. */
-static inline size_t aabb_pack_count(size_t count) {
-    return (count + LANES - 1) / LANES;
-}
 
 /**
  * Creates the shapes of a scene.

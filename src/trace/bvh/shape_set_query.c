@@ -3,34 +3,46 @@
  * @brief Intersection of packets with the shapes of a scene.
  */
 #include "trace/bvh/shape_set.h"
-#include "trace/bvh/slab.h"
 
 /* --- shapes in the list ---------------------------------------------------------------------- */
 
-/** The shapes of a block of LANES that a packet may meet. */
+/** The shapes of a pack that a packet may meet. */
 typedef struct Candidates {
     unsigned remaining; /**< Bit i: shape i is not tested yet. */
     real near;          /**< Lower bounds on the distances of the shapes. */
 } Candidates;
 
-/** @return The shapes of a block that a packet may meet; of a packet of one ray all.
- *  @param block Index in #ShapeSet.linear_bounds. */
+/** @return Number of shapes in a pack. @param pack Index in #ShapeSet.linear_bounds. */
+INLINE int linear_pack_size(const ShapeSet *set, size_t pack) {
+    size_t count = set->linear_count - pack * AABB_PACK_SIZE;
+    return (int)(count < AABB_PACK_SIZE ? count : AABB_PACK_SIZE);
+}
+
+/** @return The bits of the shapes of a pack. @param pack Index in #ShapeSet.linear_bounds. */
+INLINE unsigned linear_pack_bits(const ShapeSet *set, size_t pack) {
+    return (1u << linear_pack_size(set, pack)) - 1;
+}
+
+/** @return A shape. @param i Its index in the pack. */
+INLINE const Shape *linear_shape(const ShapeSet *set, size_t pack, int i) {
+    return set->linear[pack * AABB_PACK_SIZE + (size_t)i];
+}
+
+/** @return The shapes of a pack that a packet may meet; in engines of one lane, whose rays have no
+ *          intervals, all. @param pack Index in #ShapeSet.linear_bounds. */
 static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *intervals,
-                                    size_t block) {
-    if (LANES == 1) {
-        return (Candidates){1, real_of(0)};
+                                    size_t pack) {
+    Candidates candidates = {.remaining = linear_pack_bits(set, pack)};
+    if (LANES > 1) {
+        mask may_meet =
+            packet_intervals_may_hit(intervals, &set->linear_bounds[pack].boxes, &candidates.near);
+        candidates.remaining &= mask_bits(may_meet);
     }
-    Candidates candidates;
-    size_t remaining = set->linear_count - block * LANES;
-    unsigned valid = remaining < LANES ? (1u << remaining) - 1 : ALL_LANES;
-    mask may_meet =
-        packet_intervals_may_hit(intervals, &set->linear_bounds[block], &candidates.near);
-    candidates.remaining = mask_bits(may_meet) & valid;
     return candidates;
 }
 
-/** Removes the nearest candidate: its hit can rule out others. @return Its index in the block. */
-static int candidates_pop_nearest(Candidates *candidates) {
+/** Removes the nearest candidate: its hit can rule out others. @return Its index in the pack. */
+INLINE int candidates_pop_nearest(Candidates *candidates) {
     int best = __builtin_ctz(candidates->remaining);
     for (unsigned remaining = candidates->remaining; remaining; remaining &= remaining - 1) {
         int other = __builtin_ctz(remaining);
@@ -188,27 +200,30 @@ INLINE SlabOrder single_ray_slab_order(const Packet *packet) {
     return order;
 }
 
-/**
- * @return Whether a packet of one ray may meet a shape of the list: the test of a box takes a fifth
- *         of the operations of a quad's.
- * @param index  Index in #ShapeSet.linear.
- * @param limit  The largest distance that counts.
- */
-INLINE bool single_ray_may_meet(const ShapeSet *set, size_t index, const Packet *packet,
-                                const SlabOrder *order, real limit) {
-    const Ray *ray = &packet->rays[0];
-    real near;
-    return slab_intersects_ordered(ray->origin, ray->inverse_direction, &set->linear_bounds[index],
-                                   order, limit, &near);
+/** @return The bits of the shapes of a pack that a packet of one ray may meet. @param limit The
+ *          largest distance that counts. @param[out] near Lower bounds on their distances. */
+INLINE unsigned single_ray_candidates(const ShapeSet *set, const Packet *packet,
+                                      const SlabOrder *order, real limit, size_t pack,
+                                      PackReal near[PACK_VECTORS]) {
+    size_t vectors = ((size_t)linear_pack_size(set, pack) + PACK_LANES - 1) / PACK_LANES;
+    return single_ray_meets(&packet->rays[0], &set->linear_bounds[pack], order, limit, vectors,
+                            near);
 }
 
 /** #shape_set_closest_hits for a packet of one ray. */
 INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hit *hits) {
     const SlabOrder order = single_ray_slab_order(packet);
+    PackReal near[PACK_VECTORS];
     hits[0] = hit_none(packet->limit[0]);
-    for (size_t i = 0; i < set->linear_count; i++) {
-        if (single_ray_may_meet(set, i, packet, &order, hits[0].distance)) {
-            shape_closest_hits(set->linear[i], 0, packet, hits);
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
+        unsigned remaining =
+            single_ray_candidates(set, packet, &order, hits[0].distance, pack, near);
+        int count = linear_pack_size(set, pack);
+        for (int i = 0; i < count; i++) {
+            // A hit rules out all boxes behind it.
+            if (remaining >> i & 1 && pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
+                shape_closest_hits(linear_shape(set, pack, i), 0, packet, hits);
+            }
         }
     }
     set_bvh_closest_hits(set, packet, &no_intervals, hits);
@@ -217,10 +232,16 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
 /** #shape_set_occluded for a packet of one ray. */
 INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
     const SlabOrder order = single_ray_slab_order(packet);
+    PackReal near[PACK_VECTORS];
     occluded[0] = mask_of(false);
-    for (size_t i = 0; i < set->linear_count && !any(occluded[0]); i++) {
-        if (single_ray_may_meet(set, i, packet, &order, packet->limit[0])) {
-            shape_occluded(set->linear[i], packet, occluded);
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count) && !any(occluded[0]); pack++) {
+        unsigned remaining =
+            single_ray_candidates(set, packet, &order, packet->limit[0], pack, near);
+        int count = linear_pack_size(set, pack);
+        for (int i = 0; i < count && !any(occluded[0]); i++) {
+            if (remaining >> i & 1) {
+                shape_occluded(linear_shape(set, pack, i), packet, occluded);
+            }
         }
     }
     set_bvh_occluded(set, packet, &no_intervals, occluded);
@@ -239,8 +260,8 @@ static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) 
 
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
     bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
-    for (size_t block = 0; !may_meet && block < aabb_pack_count(set->linear_count); block++) {
-        may_meet = linear_candidates(set, intervals, block).remaining != 0;
+    for (size_t pack = 0; !may_meet && pack < aabb_pack_count(set->linear_count); pack++) {
+        may_meet = linear_candidates(set, intervals, pack).remaining != 0;
     }
     return may_meet;
 }
@@ -249,14 +270,14 @@ void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidate
     const PacketIntervals intervals = beam_intervals(beam);
     scalar nearest = INFINITE;
     *found = (BeamCandidates){NULL, INFINITE};
-    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
-        Candidates candidates = linear_candidates(set, &intervals, block);
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
+        Candidates candidates = linear_candidates(set, &intervals, pack);
         for (; candidates.remaining; candidates.remaining &= candidates.remaining - 1) {
-            int lane = __builtin_ctz(candidates.remaining);
-            scalar distance = real_lane(candidates.near, lane);
+            int i = __builtin_ctz(candidates.remaining);
+            scalar distance = real_lane(candidates.near, i);
             if (!found->nearest || distance < nearest) {
                 found->next_distance = found->nearest ? nearest : INFINITE;
-                found->nearest = set->linear[block * LANES + (size_t)lane];
+                found->nearest = linear_shape(set, pack, i);
                 nearest = distance;
             } else if (distance < found->next_distance) {
                 found->next_distance = distance;
@@ -274,12 +295,12 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits[v] = hit_none(packet->limit[v]);
     }
-    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
-        Candidates candidates = linear_candidates(set, &intervals, block);
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
+        Candidates candidates = linear_candidates(set, &intervals, pack);
         while (candidates.remaining) {
-            int lane = candidates_pop_nearest(&candidates);
-            const Shape *shape = set->linear[block * LANES + (size_t)lane];
-            shape_closest_hits(shape, real_lane(candidates.near, lane), packet, hits);
+            int i = candidates_pop_nearest(&candidates);
+            const Shape *shape = linear_shape(set, pack, i);
+            shape_closest_hits(shape, real_lane(candidates.near, i), packet, hits);
         }
     }
     set_bvh_closest_hits(set, packet, &intervals, hits);
@@ -295,11 +316,10 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);
     }
-    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
-        unsigned remaining = linear_candidates(set, &intervals, block).remaining;
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
+        unsigned remaining = linear_candidates(set, &intervals, pack).remaining;
         for (; remaining; remaining &= remaining - 1) {
-            size_t index = block * LANES + (size_t)__builtin_ctz(remaining);
-            shape_occluded(set->linear[index], packet, occluded);
+            shape_occluded(linear_shape(set, pack, __builtin_ctz(remaining)), packet, occluded);
         }
     }
     set_bvh_occluded(set, packet, &intervals, occluded);
@@ -307,10 +327,10 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
 
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found) {
     const PacketIntervals intervals = set_intervals(set, packet);
-    for (size_t block = 0; block < aabb_pack_count(set->linear_count); block++) {
-        unsigned remaining = linear_candidates(set, &intervals, block).remaining;
+    for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
+        unsigned remaining = linear_candidates(set, &intervals, pack).remaining;
         for (; remaining; remaining &= remaining - 1) {
-            const Shape *shape = set->linear[block * LANES + (size_t)__builtin_ctz(remaining)];
+            const Shape *shape = linear_shape(set, pack, __builtin_ctz(remaining));
             for (int v = 0; v < PACKET_VECTORS; v++) {
                 if (any(packet->active[v])) {
                     visitor(shape, packet, v, packet->active[v], found);

@@ -12,7 +12,7 @@
 // <immintrin.h> takes a third of a second to compile, so only engines that need it include it.
 #if LANES > 1 && defined(__AVX2__)
 #include <immintrin.h>
-#elif LANES > 1 && defined(__SSE2__)
+#elif REAL_BITS <= 64 && defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -97,6 +97,37 @@ static inline __attribute__((always_inline)) void lanes_compress(double *to, __m
 #define LANES_SELECT(m, a, b) ((m) ? (a) : (b))
 #define LANES_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
+#endif
+
+// Engines of one lane test a few boxes at once, in vectors of 16 bytes: see bvh/aabb_pack.h.
+#if LANES > 1 || REAL_BITS > 64
+/** The minimum per box; b if either is NaN. */
+#define PACK_MIN(a, b) LANES_MIN(a, b)
+/** The maximum per box; b if either is NaN. */
+#define PACK_MAX(a, b) LANES_MAX(a, b)
+/** Bit i set where the truth value of box i is. */
+#define PACK_BITS(m) mask_bits(m)
+#elif REAL_BITS == 32 && defined(__SSE2__)
+#define PACK_MIN(a, b) (PackReal) _mm_min_ps((__m128)(a), (__m128)(b))
+#define PACK_MAX(a, b) (PackReal) _mm_max_ps((__m128)(a), (__m128)(b))
+#define PACK_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
+#elif REAL_BITS == 64 && defined(__SSE2__)
+#define PACK_MIN(a, b) (PackReal) _mm_min_pd((__m128d)(a), (__m128d)(b))
+#define PACK_MAX(a, b) (PackReal) _mm_max_pd((__m128d)(a), (__m128d)(b))
+#define PACK_BITS(m) (unsigned)_mm_movemask_pd((__m128d)(m))
+#else
+/** @return The bits of a vector of truth values. */
+static inline __attribute__((always_inline)) unsigned
+pack_bits(lane_integer __attribute__((vector_size(16))) m) {
+    unsigned bits = 0;
+    for (unsigned i = 0; i < sizeof m / sizeof m[0]; i++) {
+        bits |= (m[i] ? 1u : 0u) << i;
+    }
+    return bits;
+}
+#define PACK_MIN(a, b) (PackReal)((((a) < (b)) & (PackMask)(a)) | (~((a) < (b)) & (PackMask)(b)))
+#define PACK_MAX(a, b) (PackReal)((((a) > (b)) & (PackMask)(a)) | (~((a) > (b)) & (PackMask)(b)))
+#define PACK_BITS(m) pack_bits(m)
 #endif
 
 #endif

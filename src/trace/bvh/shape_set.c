@@ -67,7 +67,7 @@ static bool bvh_takes_instances(const ShapeSet *set) {
     const size_t few = 8;
     size_t count = 0;
     for (size_t i = 0; i < set->count; i++) {
-        count += shape_takes_packets(set->shapes[i]);
+        count += shape_has_bvh(set->shapes[i]);
     }
     return count > few;
 }
@@ -76,7 +76,7 @@ static bool bvh_takes_instances(const ShapeSet *set) {
  *  their own can be. */
 static bool shape_goes_in_bvh(const Shape *shape, bool include_instances) {
     Aabbs box = shape->class->bounds(shape);
-    return aabbs_is_finite(&box) && (include_instances || !shape_takes_packets(shape));
+    return aabbs_is_finite(&box) && (include_instances || !shape_has_bvh(shape));
 }
 
 /** @return Number of shapes that can be in the BVH. */

@@ -71,6 +71,24 @@ INLINE void integer_compress(integer_scalar *to, integer x, unsigned bits) {
 #endif
 }
 
+/** @return LANES wide numbers of a column. */
+INLINE wide wide_load(const wide_scalar *from) {
+    wide x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+/** See real_compress(). */
+INLINE void wide_compress(wide_scalar *to, const wide *x, unsigned bits) {
+#ifdef LANES_COMPRESS_WIDE
+    LANES_COMPRESS_WIDE(to, x, bits);
+#else
+    for (; bits; bits &= bits - 1) {
+        *to++ = wide_at(x, __builtin_ctz(bits));
+    }
+#endif
+}
+
 /** @return LANES vectors of three columns. */
 INLINE Vec3 vec3_load(const scalar *x, const scalar *y, const scalar *z) {
     return (Vec3){real_load(x), real_load(y), real_load(z)};

@@ -309,6 +309,9 @@ INLINE real real_abs(real x) {
 
 /** @return The largest integer that is not larger. */
 INLINE real real_floor(real x) {
+#ifdef LANES_FLOOR
+    return LANES_FLOOR(x) + real_of(0); // -0 becomes 0, as below.
+#else
     // From this magnitude on, all numbers of the type are integers.
     const real whole = real_of((scalar)(REAL_BITS == 32   ? 0x1p23f
                                         : REAL_BITS == 64 ? 0x1p52f
@@ -318,6 +321,7 @@ INLINE real real_floor(real x) {
     to_nearest = real_select(x < 0, -to_nearest, to_nearest);
     real floored = real_select(to_nearest > x, to_nearest - real_of(1), to_nearest);
     return real_select(magnitude < whole, floored, x);
+#endif
 }
 
 /* --- square roots, correctly rounded in every number type ------------------------------------- */

@@ -36,24 +36,39 @@
 #define LANES_MIN(a, b) (real) _mm512_min_ps((__m512)(a), (__m512)(b))
 /** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) (real) _mm512_max_ps((__m512)(a), (__m512)(b))
+/** The largest integer that is not larger. */
+#define LANES_FLOOR(x) (real) _mm512_floor_ps((__m512)(x))
 #elif LANES == 8 && defined(__AVX2__)
-/** For each set of four lanes, those lanes first. */
-static const int32_t FOUR_LANES_FIRST[16][4] = {
-    {0}, {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
-    {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3},
-};
-/** Stores the lanes of x whose bits are set, one after another, and writes over what follows: four
- *  lanes at a time. */
+/** For each set of four lanes, their numbers, one per byte: those lanes first. */
+static const uint32_t FOUR_LANES_FIRST[16] = {0,     0,       0x1,     0x100,    0x2,   0x200,
+                                              0x201, 0x20100, 0x3,     0x300,    0x301, 0x30100,
+                                              0x302, 0x30200, 0x30201, 0x3020100};
+/** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 static inline __attribute__((always_inline)) void lanes_compress(float *to, __m256 x,
                                                                  unsigned bits) {
-    const __m128i *orders = (const __m128i *)FOUR_LANES_FIRST;
-    __m128 low = _mm256_castps256_ps128(x), high = _mm256_extractf128_ps(x, 1);
-    _mm_storeu_ps(to, _mm_permutevar_ps(low, _mm_loadu_si128(&orders[bits & 15])));
-    _mm_storeu_ps(to + __builtin_popcount(bits & 15),
-                  _mm_permutevar_ps(high, _mm_loadu_si128(&orders[bits >> 4])));
+    uint64_t low = FOUR_LANES_FIRST[bits & 15], high = FOUR_LANES_FIRST[bits >> 4] + 0x4040404u;
+    uint64_t order = low | high << 8 * __builtin_popcount(bits & 15);
+    __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)order));
+    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(x, lanes));
 }
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits) lanes_compress(to, (__m256)(x), bits)
+/** #lanes_compress for four of the next wider numbers. @param bits Of these four. */
+static inline __attribute__((always_inline)) void lanes_compress_wide(double *to, __m256d x,
+                                                                      unsigned bits) {
+    // Each is two numbers of 32 bits for the permutation.
+    __m256i twice =
+        _mm256_slli_epi64(_mm256_cvtepu8_epi64(_mm_cvtsi32_si128((int)FOUR_LANES_FIRST[bits])), 1);
+    __m256i next = _mm256_add_epi64(twice, _mm256_set1_epi64x(1));
+    __m256i halves = _mm256_or_si256(twice, _mm256_slli_epi64(next, 32));
+    __m256 y = _mm256_permutevar8x32_ps(_mm256_castpd_ps(x), halves);
+    _mm256_storeu_pd(to, _mm256_castps_pd(y));
+}
+/** LANES_COMPRESS for the next wider numbers, at x: four at a time. */
+#define LANES_COMPRESS_WIDE(to, x, bits)                                                           \
+    (lanes_compress_wide(to, _mm256_loadu_pd((const double *)(x)), (bits)&15),                     \
+     lanes_compress_wide((to) + __builtin_popcount((bits)&15),                                     \
+                         _mm256_loadu_pd((const double *)(x) + 4), (bits) >> 4))
 /** Bit i set where lane i of the mask m is. */
 #define LANES_BITS(m) (unsigned)_mm256_movemask_ps((__m256)(m))
 /** base[places[i]] in lane i. */
@@ -65,6 +80,8 @@ static inline __attribute__((always_inline)) void lanes_compress(float *to, __m2
 #define LANES_MIN(a, b) (real) _mm256_min_ps((__m256)(a), (__m256)(b))
 /** The maximum; b if either is NaN. */
 #define LANES_MAX(a, b) (real) _mm256_max_ps((__m256)(a), (__m256)(b))
+/** The largest integer that is not larger. */
+#define LANES_FLOOR(x) (real) _mm256_floor_ps((__m256)(x))
 #elif LANES == 4 && REAL_BITS == 64 && defined(__AVX2__)
 #define LANES_BITS(m) (unsigned)_mm256_movemask_pd((__m256d)(m))
 /** For each set of two lanes, whether the second comes first: bit 1 of each lane counts. */
@@ -84,6 +101,7 @@ static inline __attribute__((always_inline)) void lanes_compress(double *to, __m
 #define LANES_SELECT(m, a, b) (real) _mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(m))
 #define LANES_MIN(a, b) (real) _mm256_min_pd((__m256d)(a), (__m256d)(b))
 #define LANES_MAX(a, b) (real) _mm256_max_pd((__m256d)(a), (__m256d)(b))
+#define LANES_FLOOR(x) (real) _mm256_floor_pd((__m256d)(x))
 #elif LANES == 4 && REAL_BITS == 32 && defined(__SSE2__)
 #define LANES_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
 #define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))

@@ -27,11 +27,4 @@ typedef struct SdfSample {
 /** Translates a field. @param[out] program One instruction per node. */
 void sdf_compile(SdfInstruction *program, const Sdf *sdf);
 
-/** @return Distances of points. @param active Lanes that count; other results are undefined. */
-real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active);
-
-/** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
- *  count; other results are undefined. */
-SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active);
-
 #endif

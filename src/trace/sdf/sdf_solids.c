@@ -89,8 +89,8 @@ void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction) {
 }
 
 /**
- * @return The depth of points in holes of one size along one axis: positive between the two sides
- * of a hole, negative in the solid, down to the middle between two holes.
+ * @return Three times the depth of points in holes of one size along one axis, in cells: positive
+ * between the two sides of a hole, negative in the solid, down to the middle between two holes.
  * @param x           Coordinates, in half edges of the sponge.
  * @param per_cell    Number of cells along the sponge.
  * @param[out] slope  1 or -1: derivative by the coordinate.
@@ -99,22 +99,39 @@ INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
     real cells = x * per_cell, cell = 2 * real_floor((scalar)0.5f * cells + (scalar)0.5f);
     real in_cell = cells - cell;
     *slope = -real_sign(in_cell);
-    return (2 - 3 * real_abs(in_cell) - 1) / real_of(3 * per_cell);
+    return 2 - 3 * real_abs(in_cell) - 1;
 }
 
-/** @return The sample of square holes of one size along all three axes, positive inside. @param p
- *  Points, in half edges of the sponge. @param per_cell Number of cells along the sponge. */
-INLINE SdfSample menger_holes_sample(Vec3 p, scalar per_cell) {
-    Vec3 slope, depth = {menger_hole_depth(p.x, per_cell, &slope.x),
-                         menger_hole_depth(p.y, per_cell, &slope.y),
-                         menger_hole_depth(p.z, per_cell, &slope.z)};
-    // A point is in a hole along an axis if it is between the sides along the two others: the
-    // median of the three depths decides.
-    real low = real_min(depth.x, depth.y), high = real_max(depth.x, depth.y);
-    real middle = real_max(low, real_min(high, depth.z));
-    Vec3 to_middle = {-real_abs(depth.x - middle), -real_abs(depth.y - middle),
-                      -real_abs(depth.z - middle)};
-    return (SdfSample){middle, vec3_multiply(unit_axis_of_largest(to_middle, real_of(0)), slope)};
+/** The depths of points in holes of one size. */
+typedef struct MengerHoles {
+    Vec3 depth;  /**< Along the axes, in units of #size. */
+    Vec3 slope;  /**< Their derivatives, in units of #size. */
+    real size;   /**< What they are divided by. */
+    real middle; /**< The middle one of the three, in half edges of the sponge. */
+} MengerHoles;
+
+/** @return The depths. A point is in a hole along an axis if it is between the sides along the two
+ *          others: the middle one decides. Division keeps the order, so one is enough. @param p
+ *          Points, in half edges of the sponge. @param per_cell Number of cells along the sponge.
+ */
+INLINE MengerHoles menger_holes(Vec3 p, scalar per_cell) {
+    MengerHoles holes = {.size = real_of(3 * per_cell)};
+    holes.depth = (Vec3){menger_hole_depth(p.x, per_cell, &holes.slope.x),
+                         menger_hole_depth(p.y, per_cell, &holes.slope.y),
+                         menger_hole_depth(p.z, per_cell, &holes.slope.z)};
+    real low = real_min(holes.depth.x, holes.depth.y),
+         high = real_max(holes.depth.x, holes.depth.y);
+    holes.middle = real_max(low, real_min(high, holes.depth.z)) / holes.size;
+    return holes;
+}
+
+/** @return The gradient of the middle depth. */
+INLINE Vec3 menger_holes_gradient(const MengerHoles *holes) {
+    const real middle = holes->middle, size = holes->size;
+    Vec3 to_middle = {-real_abs(holes->depth.x / size - middle),
+                      -real_abs(holes->depth.y / size - middle),
+                      -real_abs(holes->depth.z / size - middle)};
+    return vec3_multiply(unit_axis_of_largest(to_middle, real_of(0)), holes->slope);
 }
 
 void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction) {
@@ -123,11 +140,16 @@ void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample sponge = sdf_box_sample(p, (Vec3){one, one, one}, vm->wants_gradient);
     scalar per_cell = 1;
     for (int i = 0; i < (int)instruction->operands[1]; i++) {
-        SdfSample holes = menger_holes_sample(p, per_cell);
-        mask is_cut = holes.distance > sponge.distance;
-        sponge.distance = real_select(is_cut, holes.distance, sponge.distance);
+        // No point is deeper in a hole than a third of a cell: smaller holes change nothing far
+        // from the sponge and inside larger ones.
+        if (!any(vm->active & (sponge.distance < one / real_of(3 * per_cell)))) {
+            break;
+        }
+        MengerHoles holes = menger_holes(p, per_cell);
+        mask is_cut = holes.middle > sponge.distance;
+        sponge.distance = real_select(is_cut, holes.middle, sponge.distance);
         if (vm->wants_gradient) {
-            sponge.gradient = vec3_select(is_cut, holes.gradient, sponge.gradient);
+            sponge.gradient = vec3_select(is_cut, menger_holes_gradient(&holes), sponge.gradient);
         }
         per_cell *= 3;
     }

@@ -7,14 +7,6 @@
  */
 #include "trace/sdf/sdf_vm.h"
 
-/** Executes instructions one after the other. */
-static void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
-    for (const SdfInstruction *instruction = program; instruction < program + count;
-         instruction += 1 + instruction->body_count) {
-        instruction->execute(vm, instruction);
-    }
-}
-
 /* --- operations on one field ------------------------------------------------------------------ */
 
 /** Moves the surface outwards. See #SdfInstruction.execute. */
@@ -254,24 +246,4 @@ void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
             i += node->body_count;
         }
     }
-}
-
-/** @return The value of a program at points. */
-static SdfSample sdf_evaluate(const SdfInstruction *program, int count, Vec3 point, mask active,
-                              bool wants_gradient) {
-    const real zero = real_of(0);
-    SdfVm vm = {.point = point,
-                .sample = {zero, {zero, zero, zero}},
-                .active = active,
-                .wants_gradient = wants_gradient};
-    sdf_vm_run(&vm, program, count);
-    return vm.sample;
-}
-
-real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active) {
-    return sdf_evaluate(program, count, point, active, false).distance;
-}
-
-SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active) {
-    return sdf_evaluate(program, count, point, active, true);
 }

@@ -16,6 +16,35 @@ struct SdfVm {
     bool wants_gradient; /**< Whether to compute gradients. */
 };
 
+/** Executes instructions one after the other. */
+INLINE void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
+    for (const SdfInstruction *instruction = program; instruction < program + count;
+         instruction += 1 + instruction->body_count) {
+        instruction->execute(vm, instruction);
+    }
+}
+
+/** @return Distances of points. @param active Lanes that count; other results are undefined. */
+INLINE real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active) {
+    SdfVm vm;
+    vm.point = point;
+    vm.active = active;
+    vm.wants_gradient = false;
+    sdf_vm_run(&vm, program, count);
+    return vm.sample.distance;
+}
+
+/** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
+ *  count; other results are undefined. */
+INLINE SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active) {
+    SdfVm vm;
+    vm.point = point;
+    vm.active = active;
+    vm.wants_gradient = true;
+    sdf_vm_run(&vm, program, count);
+    return vm.sample;
+}
+
 /** @return The signs of numbers: 1 or -1. */
 INLINE real real_sign(real x) {
     return real_select(x < 0, real_of(-1), real_of(1));

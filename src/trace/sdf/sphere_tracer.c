@@ -5,6 +5,7 @@
 #include "trace/sdf/sphere_tracer.h"
 
 #include "trace/bvh/slab.h"
+#include "trace/sdf/march_queue.h"
 
 /** A ray that reaches the step limit has a hit if it came within so many tolerances. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
@@ -49,9 +50,9 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     origin = vec3_narrow(vec3w_add_scaled(start, trace->local_direction, widen(near)));
     real traveled = (trace->cell_entry + near) * trace->direction_length;
     // A ray that starts on the surface starts in the box or just beside it.
-    real margin = SDF_ERROR_TOLERANCES * tracer->bound_slack *
-                  real_max(real_of(tracer->tolerance / tracer->scale),
-                           trace->spread * trace->camera_distance);
+    real margin =
+        SDF_ERROR_TOLERANCES * tracer->bound_slack *
+        real_max(real_of(tracer->local_tolerance), trace->spread * trace->camera_distance);
     trace->camera_ahead =
         real_select(enters, trace->camera_distance - traveled, trace->camera_ahead);
     trace->box_entry = real_select(enters, near, trace->box_entry);
@@ -74,6 +75,11 @@ INLINE Vec3w sphere_trace_cell_start(const SphereTracer *tracer, const SphereTra
     return tracer->inner.is_present ? similarity_point_to_local(&tracer->inner, start) : start;
 }
 
+/** @return Whether rays have reached the step limit. */
+INLINE mask sphere_trace_at_limit(const SphereTracer *tracer, const SphereTrace *trace) {
+    return trace->steps >= real_of((scalar)tracer->max_steps);
+}
+
 /** Moves rays to their next cells. @return The lanes that are still in the grid. */
 INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trace, mask lanes) {
     Vec3 exits = grid_walk_exits(&trace->walk, trace->cell);
@@ -86,15 +92,21 @@ INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trac
     return lanes;
 }
 
-/** Advances searching rays by one cell. */
+/** Advances searching rays by one cell, and by more while they are the most. */
 INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trace) {
-    mask seeking = sphere_trace_next_cell(tracer, trace, trace->seeking);
-    real footprint = sphere_trace_footprint(trace, trace->camera_distance -
-                                                       trace->cell_entry * trace->direction_length);
-    mask meets = seeking & grid_walk_may_hit_copy(&tracer->grid, &trace->walk, trace->cell,
-                                                  footprint * (scalar)tracer->inner.scale);
-    trace->entering = trace->entering | meets;
-    trace->seeking = seeking & mask_not(meets);
+    const unsigned stepping = mask_count(trace->stepping);
+    unsigned seeking;
+    do {
+        mask lanes = sphere_trace_next_cell(tracer, trace, trace->seeking);
+        real footprint = sphere_trace_footprint(
+            trace, trace->camera_distance - trace->cell_entry * trace->direction_length);
+        mask meets = lanes & grid_walk_may_hit_copy(&tracer->grid, &trace->walk, trace->cell,
+                                                    footprint * (scalar)tracer->inner.scale);
+        trace->entering = trace->entering | meets;
+        trace->seeking = lanes & mask_not(meets);
+        seeking = mask_count(trace->seeking);
+    } while (seeking > 0 && seeking >= stepping && seeking >= mask_count(trace->entering) &&
+             !any(trace->seeking & sphere_trace_at_limit(tracer, trace)));
 }
 
 /** Intersects rays with the box of the copy in their cells; those that miss it search on. */
@@ -108,18 +120,23 @@ INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *tra
     trace->entering = mask_of(false);
 }
 
+/** Sets the widths of pixels, which all rays share. */
+INLINE void sphere_trace_set_spread(const SphereTracer *tracer, SphereTrace *trace,
+                                    bool is_shadow) {
+    trace->spread = tracer->footprint ? tracer->footprint->spread : 0;
+    // The detail of a shadow is visible at its receiver, however far the occluder is.
+    trace->spread_behind = is_shadow ? 0 : trace->spread;
+}
+
 /** Initialises the footprint of pixels along rays. @param origin Origins in the scene. */
 INLINE void sphere_trace_init_footprint(const SphereTracer *tracer, SphereTrace *trace, Vec3 origin,
                                         bool is_shadow) {
     const Footprint *footprint = tracer->footprint;
+    sphere_trace_set_spread(tracer, trace, is_shadow);
     trace->camera_distance = real_of(0);
-    trace->spread = trace->spread_behind = 0;
     if (footprint) {
         Vec3 from_camera = vec3_subtract(origin, vec3_splat(footprint->camera_position));
         trace->camera_distance = real_sqrt(vec3_dot(from_camera, from_camera)) / tracer->scale;
-        trace->spread = footprint->spread;
-        // The detail of a shadow is visible at its receiver, however far the occluder is.
-        trace->spread_behind = is_shadow ? 0 : footprint->spread;
     }
 }
 
@@ -205,6 +222,14 @@ INLINE real sphere_trace_slope(const SphereTrace *trace, real radius, mask is_ov
     return real_select(is_known, real_min(slope, real_of(SLOPE_MAXIMUM)), real_of(-1));
 }
 
+/** Finds out on which side of the surface rays start, and which of them have left it. */
+INLINE void sphere_trace_leave(SphereTrace *trace, real distance, real tolerance) {
+    mask starts = trace->stepping & trace->leaving;
+    trace->side = real_select(starts & (distance < 0), real_of(-1), trace->side);
+    trace->side = real_select(starts & (distance >= 0), real_of(1), trace->side);
+    trace->leaving = trace->leaving & mask_not(starts & (distance * trace->side >= tolerance));
+}
+
 /**
  * Evaluates the field: finds hits and steps that were too long.
  * @param distance   Distances of the field.
@@ -212,11 +237,10 @@ INLINE real sphere_trace_slope(const SphereTrace *trace, real radius, mask is_ov
  * @return Lanes whose last step was too long.
  */
 INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolerance) {
-    mask starts = trace->stepping & trace->leaving;
-    trace->side = real_select(starts & (distance < 0), real_of(-1), trace->side);
-    trace->side = real_select(starts & (distance >= 0), real_of(1), trace->side);
+    if (any(trace->stepping & trace->leaving)) {
+        sphere_trace_leave(trace, distance, tolerance);
+    }
     real radius = distance * trace->side;
-    trace->leaving = trace->leaving & mask_not(starts & (radius >= tolerance));
     mask is_over = (radius + trace->radius < trace->step) & (trace->step > trace->radius);
     mask counts = trace->stepping & mask_not(trace->leaving | is_over);
     mask arrives = counts & (radius <= tolerance);
@@ -253,21 +277,23 @@ INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace,
     return trace->stepping & mask_not(stays);
 }
 
-/** Ends rays that have reached the step limit: those that came near enough have a hit, the others
- *  none. */
-static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace) {
+/** Ends rays: those that came near enough have a hit, the others none. @param exhausted Those that
+ *  have reached the step limit, in a box or in search of one. */
+static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace, mask exhausted) {
     Vec3 point = sphere_trace_point(trace, trace->best_t);
     real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
                 sphere_trace_tolerance(tracer, trace, trace->best_t, point);
-    mask is_near = trace->stepping & (trace->best_radius <= near);
+    mask is_near = exhausted & trace->stepping & (trace->best_radius <= near);
     trace->t = real_select(is_near, trace->best_t, trace->t);
     trace->arrived = trace->arrived | is_near;
-    step_limit_counter_add(tracer->step_limit_counter,
-                           mask_count(trace->stepping & mask_not(is_near)));
+    trace->stepping = trace->stepping & mask_not(exhausted);
+    trace->seeking = trace->seeking & mask_not(exhausted);
+    step_limit_counter_add(tracer->step_limit_counter, mask_count(exhausted & mask_not(is_near)));
 }
 
 /** Makes one step. */
 INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
+    trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);
     Vec3 point = sphere_trace_point(trace, trace->t);
     real distance =
         sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
@@ -275,24 +301,17 @@ INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     mask left_box =
         sphere_trace_advance(tracer, trace, sphere_trace_evaluate(trace, distance, tolerance));
     trace->stepping = trace->stepping & mask_not(left_box);
-    trace->seeking = trace->seeking | left_box;
-}
-
-/** Traces rays through one box. @param[in,out] trace The rays; #SphereTrace.stepping are afterwards
- *  those that have reached the step limit. */
-static void sphere_trace_in_box(const SphereTracer *tracer, SphereTrace *trace) {
-    for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
-        sphere_trace_step(tracer, trace);
+    if (tracer->grid.is_repeated) {
+        trace->seeking = trace->seeking | left_box;
     }
 }
 
-/** Does what most rays need next: step, search or entry. The path of a ray does not depend on the
- *  others. @param[in,out] trace The rays, at least one. */
+/** Does what most rays need next: a step, the search of a cell or the entry into a box. The path of
+ * a ray does not depend on the others. */
 INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trace) {
     unsigned walking = mask_count(trace->stepping), seeking = mask_count(trace->seeking),
              entering = mask_count(trace->entering);
     if (walking > seeking && walking > entering) {
-        trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);
         sphere_trace_step(tracer, trace);
     } else if (seeking >= entering) {
         sphere_trace_seek_cell(tracer, trace);
@@ -301,20 +320,23 @@ INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trac
     }
 }
 
-/** Traces rays from cell to cell. @param[in,out] trace The rays; #SphereTrace.stepping are
- * afterwards those that have reached the step limit. */
-static void sphere_trace_in_grid(const SphereTracer *tracer, SphereTrace *trace) {
-    mask exhausted = mask_of(false);
-    while (any(trace->stepping | trace->seeking | trace->entering)) {
+/** @return The rays that neither have a hit nor have left the field. */
+INLINE mask sphere_trace_unfinished(const SphereTrace *trace) {
+    return trace->stepping | trace->seeking | trace->entering;
+}
+
+/** Makes the next step of rays, and ends those that have reached the step limit. @param[in,out]
+ *  trace The rays, at least one unfinished. */
+static void sphere_trace_continue(const SphereTracer *tracer, SphereTrace *trace) {
+    if (tracer->grid.is_repeated) {
         sphere_trace_grid_step(tracer, trace);
-        mask at_step_limit = trace->steps >= real_of((scalar)tracer->max_steps);
-        trace->best_radius =
-            real_select(at_step_limit & trace->seeking, real_of(INFINITE), trace->best_radius);
-        exhausted = exhausted | (at_step_limit & (trace->stepping | trace->seeking));
-        trace->stepping = trace->stepping & mask_not(at_step_limit);
-        trace->seeking = trace->seeking & mask_not(at_step_limit);
+    } else {
+        sphere_trace_step(tracer, trace);
     }
-    trace->stepping = exhausted;
+    mask exhausted = sphere_trace_at_limit(tracer, trace) & (trace->stepping | trace->seeking);
+    if (any(exhausted)) {
+        sphere_trace_give_up(tracer, trace, exhausted);
+    }
 }
 
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
@@ -322,16 +344,103 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
     if (!sphere_trace_begin(tracer, ray, active, limit, is_shadow, trace)) {
         return false;
     }
-    if (tracer->grid.is_repeated) {
-        sphere_trace_in_grid(tracer, trace);
-    } else {
-        sphere_trace_in_box(tracer, trace);
-    }
-    if (any(trace->stepping)) {
-        sphere_trace_give_up(tracer, trace);
+    while (any(sphere_trace_unfinished(trace))) {
+        sphere_trace_continue(tracer, trace);
     }
     return any(trace->arrived);
 }
+
+/* --- packets ---------------------------------------------------------------------------------- */
+
+enum {
+    MARCH_VECTORS = 2, /**< Vectors that step in turn: the processor begins the step of one before
+                          that of the other ends. */
+    MARCH_FREE_LANES = LANES / 2 /**< Finished rays of a vector from which on others take their
+                                      places. */
+};
+
+/** The rays of a packet while they are traced. */
+typedef struct MarchPacket {
+    const SphereTracer *tracer; /**< The field. */
+    const Packet *packet;       /**< The rays. */
+    const mask *active;         /**< Lanes that count, per vector. */
+    const real *limits;         /**< Largest distances, per vector. */
+    bool is_shadow;             /**< Whether they are shadow rays. */
+    SphereTrace *traces;        /**< Their states, per vector. */
+    int begun;                  /**< Number of vectors that have begun. */
+    MarchQueue queue;           /**< Rays of these that wait. */
+} MarchPacket;
+
+/** Begins vectors of rays until there are enough for a whole one. */
+static void march_packet_begin_vectors(MarchPacket *march) {
+    while (march->queue.count < LANES && march->begun < PACKET_VECTORS) {
+        int v = march->begun++;
+        SphereTrace *trace = &march->traces[v];
+        trace->arrived = mask_of(false);
+        if (any(march->active[v]) &&
+            sphere_trace_begin(march->tracer, &march->packet->rays[v], march->active[v],
+                               march->limits[v], march->is_shadow, trace)) {
+            trace->ray = integer_of(v * LANES) + lane_numbers();
+            march_queue_push(&march->queue, trace, mask_bits(sphere_trace_unfinished(trace)),
+                             march->tracer->grid.is_repeated);
+        }
+    }
+}
+
+/** Fills the lanes of finished rays, if enough of them are. @return Whether there is an unfinished
+ *  ray. */
+static bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
+    const bool is_repeated = march->tracer->grid.is_repeated;
+    unsigned bits = mask_bits(sphere_trace_unfinished(trace));
+    if (__builtin_popcount(bits) > LANES - MARCH_FREE_LANES) {
+        return true;
+    }
+    march_packet_begin_vectors(march);
+    if (march->queue.count == 0) {
+        return bits != 0;
+    }
+    if (bits) {
+        march_queue_push(&march->queue, trace, bits, is_repeated);
+    }
+    march_queue_pop(&march->queue, trace, is_repeated);
+    return true;
+}
+
+void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, const mask *active,
+                             const real *limits, bool is_shadow, SphereTrace *traces) {
+    MarchPacket march;
+    march.tracer = tracer;
+    march.packet = packet;
+    march.active = active;
+    march.limits = limits;
+    march.is_shadow = is_shadow;
+    march.traces = traces;
+    march.begun = 0;
+    march.queue.count = 0;
+    SphereTrace vectors[MARCH_VECTORS];
+    for (int i = 0; i < MARCH_VECTORS; i++) {
+        sphere_trace_set_spread(tracer, &vectors[i], is_shadow);
+        vectors[i].stepping = vectors[i].seeking = vectors[i].entering = vectors[i].arrived =
+            mask_of(false);
+    }
+    bool is_unfinished = true;
+    while (is_unfinished) {
+        is_unfinished = false;
+        for (SphereTrace *trace = vectors; trace < vectors + MARCH_VECTORS; trace++) {
+            if (!march_packet_fill(&march, trace)) {
+                continue;
+            }
+            is_unfinished = true;
+            sphere_trace_continue(tracer, trace);
+            if (any(trace->arrived)) {
+                march_results_write(trace, traces, tracer->grid.is_repeated);
+                trace->arrived = mask_of(false);
+            }
+        }
+    }
+}
+
+/* --- records ---------------------------------------------------------------------------------- */
 
 /** Records the step that the first lane makes next: the field is evaluated where the step evaluates
  *  it. */
@@ -347,44 +456,21 @@ static void march_log_add(MarchLog *log, const SphereTracer *tracer, const Spher
     }
 }
 
-/** #sphere_trace_in_box with a count of steps. @param log See #sphere_trace_count_steps. */
-static void sphere_trace_in_box_counted(const SphereTracer *tracer, SphereTrace *trace,
-                                        MarchLog *log) {
-    for (int i = 0; i < tracer->max_steps && any(trace->stepping); i++) {
-        march_log_add(log, tracer, trace);
-        trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);
-        sphere_trace_step(tracer, trace);
-    }
-}
-
-/** #sphere_trace_in_grid, which counts its steps anyway, with a log. */
-static void sphere_trace_in_grid_logged(const SphereTracer *tracer, SphereTrace *trace,
-                                        MarchLog *log) {
-    while (any(trace->stepping | trace->seeking | trace->entering) &&
-           !any(trace->steps >= real_of((scalar)tracer->max_steps))) {
-        real steps = trace->steps;
-        MarchLog before = *log;
-        march_log_add(log, tracer, trace);
-        sphere_trace_grid_step(tracer, trace);
-        // Whole steps evaluate the field; a step from cell to cell does not.
-        if (!mask_lane(trace->steps >= steps + 1, 0)) {
-            log->count = before.count;
-        }
-    }
-}
-
 real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                               MarchLog *log) {
     SphereTrace trace = {.arrived = mask_of(false)};
     if (!sphere_trace_begin(tracer, ray, active, limit, false, &trace)) {
         return real_of(0);
     }
-    if (tracer->grid.is_repeated && log) {
-        sphere_trace_in_grid_logged(tracer, &trace, log);
-    } else if (tracer->grid.is_repeated) {
-        sphere_trace_in_grid(tracer, &trace);
-    } else {
-        sphere_trace_in_box_counted(tracer, &trace, log);
+    while (any(sphere_trace_unfinished(&trace))) {
+        real steps = trace.steps;
+        size_t logged = log ? log->count : 0;
+        march_log_add(log, tracer, &trace);
+        sphere_trace_continue(tracer, &trace);
+        // Whole steps evaluate the field; a step from cell to cell does not.
+        if (log && !mask_lane(trace.steps >= steps + 1, 0)) {
+            log->count = logged;
+        }
     }
     return trace.steps;
 }

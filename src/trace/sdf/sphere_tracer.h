@@ -14,7 +14,7 @@
 #define DIOPTRE_TRACE_SDF_SPHERE_TRACER_H
 
 #include "trace/sdf/repeat_grid.h"
-#include "trace/sdf/sdf_program.h"
+#include "trace/sdf/sdf_vm.h"
 #include "trace/sdf/similarity.h"
 #include "trace/sdf/step_limit.h"
 #include "trace/tracer/footprint.h"
@@ -37,6 +37,7 @@ typedef struct SphereTracer {
     Aabb box;                   /**< Bounding box of one copy, in the coordinates of #inner. */
     scalar scale;               /**< Scene units per unit of the program. */
     scalar tolerance;           /**< Distance that counts as a hit, scene units. */
+    scalar local_tolerance;     /**< The same in units of the program. */
     scalar bound_slack;         /**< See #Sdf.bound_slack. */
     scalar relaxation;          /**< Over-relaxation factor of steps; 0: automatic. */
     int max_steps;              /**< Largest number of steps per ray. */
@@ -46,6 +47,7 @@ typedef struct SphereTracer {
 
 /** State of LANES rays. Lengths are in units of the program unless noted otherwise. */
 typedef struct SphereTrace {
+    integer ray;            /**< Indices of the rays in their packet, if they come from one. */
     Vec3w grid_origin;      /**< Origin in the coordinates of the grid. */
     Vec3w grid_direction;   /**< Direction in the coordinates of the grid. */
     GridWalk walk;          /**< Traversal of the grid. */
@@ -96,6 +98,15 @@ void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds);
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                       bool is_shadow, SphereTrace *trace);
 
+/**
+ * #sphere_trace_run for the rays of a packet.
+ * @param active       Lanes that count, per vector.
+ * @param limits       Largest distances, per vector.
+ * @param[out] traces  The final states, per vector. Where nothing arrived, only that is set.
+ */
+void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, const mask *active,
+                             const real *limits, bool is_shadow, SphereTrace *traces);
+
 /** @return Number of steps of rays until they hit or miss the surface. @param active Lanes that
  *  count; others make no step. @param limit Largest distances. @param log Gets the steps of the
  *  first lane; NULL: they are only counted. */
@@ -117,8 +128,8 @@ INLINE real sphere_trace_footprint(const SphereTrace *trace, real camera_ahead) 
  * of the pixel limit it from below. */
 INLINE real sphere_trace_tolerance(const SphereTracer *tracer, const SphereTrace *trace, real t,
                                    Vec3 point) {
-    real least = real_max(real_of(tracer->tolerance / tracer->scale),
-                          SDF_ERROR * ROUNDOFF * vec3_max_abs(point));
+    real least =
+        real_max(real_of(tracer->local_tolerance), SDF_ERROR * ROUNDOFF * vec3_max_abs(point));
     return real_max(least, sphere_trace_footprint(trace, trace->camera_ahead - t));
 }
 

@@ -125,6 +125,7 @@ void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {
         repeat_grid_compute_sphere(&tracer->grid, &tracer->inner, hoist.low, hoist.high);
     }
     tracer->scale = scale * (scalar)tracer->inner.scale;
+    tracer->local_tolerance = tracer->tolerance / tracer->scale;
     Aabbs one = aabbs_from_corners(hoist.low, hoist.high);
     tracer->box = aabb_splat(aabbs_expanded(one, margin / tracer->scale));
     tracer->bound_slack = (scalar)sdf->bound_slack;

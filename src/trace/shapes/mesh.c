@@ -80,6 +80,7 @@ static TextureUv mesh_shape_texture_uv(const Shape *self, const Hit *hit, mask l
 /** A mesh has its own BVH. */
 static const ShapeExtension mesh_shape_extension = {
     .bind = mesh_shape_bind,
+    .has_bvh = true,
     .closest_hits = mesh_shape_closest_hits,
     .occluded = mesh_shape_occluded,
 };

@@ -84,32 +84,74 @@ INLINE SurfacePoint sdf_shape_surface(const SphereTracer *tracer, const SphereTr
                           SDF_ERROR_TOLERANCES * real_max(tolerance * tracer->scale, roundings)};
 }
 
-/** See #ShapeClass.is_hit. @callgraph */
-static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+/** Updates hits by the rays that have arrived. @param trace Those. @return The replaced lanes. */
+INLINE mask sdf_shape_update_hit(const Shape *self, SphereTrace *trace, Hit *hit) {
     const SphereTracer *tracer = &((const SdfShape *)self)->tracer;
-    SphereTrace trace;
-    if (!sphere_trace_run(tracer, ray, active, hit->distance, false, &trace)) {
-        return mask_of(false);
-    }
-    Vec3 point = sphere_trace_point(&trace, trace.t);
-    real tolerance = sphere_trace_tolerance(tracer, &trace, trace.t, point);
-    SdfSample sample = sdf_sample(tracer->program, tracer->instruction_count, point, trace.arrived);
-    sphere_trace_refine(tracer, &trace, &sample, tolerance);
-    real distance = sphere_trace_distance(&trace);
-    mask nearer = hit_is_nearer(hit, trace.arrived, distance, self->index);
-    SurfacePoint surface = sdf_shape_surface(tracer, &trace, &sample, tolerance);
+    Vec3 point = sphere_trace_point(trace, trace->t);
+    real tolerance = sphere_trace_tolerance(tracer, trace, trace->t, point);
+    SdfSample sample =
+        sdf_sample(tracer->program, tracer->instruction_count, point, trace->arrived);
+    sphere_trace_refine(tracer, trace, &sample, tolerance);
+    real distance = sphere_trace_distance(trace);
+    mask nearer = hit_is_nearer(hit, trace->arrived, distance, self->index);
+    SurfacePoint surface = sdf_shape_surface(tracer, trace, &sample, tolerance);
     shape_update_hit(self, hit, nearer, distance, &surface);
     return nearer;
+}
+
+/** See #ShapeClass.is_hit. @callgraph */
+static mask sdf_shape_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
+    SphereTrace trace;
+    return sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, hit->distance, false,
+                            &trace)
+               ? sdf_shape_update_hit(self, &trace, hit)
+               : mask_of(false);
+}
+
+/** @return The rays that a field occludes. @param trace The rays. */
+INLINE mask sdf_shape_occluded_lanes(const SphereTrace *trace, real limit) {
+    real distance = sphere_trace_distance(trace);
+    return trace->arrived & (distance > 0) & (distance < limit);
 }
 
 /** See #ShapeClass.is_occluding. */
 static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     SphereTrace trace;
-    if (!sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, limit, true, &trace)) {
-        return mask_of(false);
+    return sphere_trace_run(&((const SdfShape *)self)->tracer, ray, active, limit, true, &trace)
+               ? sdf_shape_occluded_lanes(&trace, limit)
+               : mask_of(false);
+}
+
+/** See #ShapeExtension.closest_hits. @callgraph */
+static void sdf_shape_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    SphereTrace traces[PACKET_VECTORS];
+    real limits[PACKET_VECTORS];
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = hits[v].distance;
     }
-    real distance = sphere_trace_distance(&trace);
-    return trace.arrived & (distance > 0) & (distance < limit);
+    sphere_trace_run_packet(&((const SdfShape *)self)->tracer, packet, packet->active, limits,
+                            false, traces);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(traces[v].arrived)) {
+            sdf_shape_update_hit(self, &traces[v], &hits[v]);
+        }
+    }
+}
+
+/** See #ShapeExtension.occluded. */
+static void sdf_shape_occluded(const Shape *self, const Packet *packet, mask *occluded) {
+    SphereTrace traces[PACKET_VECTORS];
+    mask pending[PACKET_VECTORS];
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        pending[v] = packet->active[v] & mask_not(occluded[v]);
+    }
+    sphere_trace_run_packet(&((const SdfShape *)self)->tracer, packet, pending, packet->limit, true,
+                            traces);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(traces[v].arrived)) {
+            occluded[v] |= sdf_shape_occluded_lanes(&traces[v], packet->limit[v]);
+        }
+    }
 }
 
 /** See #ShapeExtension.count_steps. */
@@ -127,6 +169,8 @@ static Aabbs sdf_shape_bounds(const Shape *self) {
 static const ShapeExtension sdf_shape_extension = {
     .tail_size = sdf_shape_tail,
     .bind = sdf_shape_bind,
+    .closest_hits = LANES > 1 ? sdf_shape_closest_hits : NULL,
+    .occluded = LANES > 1 ? sdf_shape_occluded : NULL,
     .count_steps = sdf_shape_count_steps,
 };
 

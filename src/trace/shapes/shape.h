@@ -58,9 +58,11 @@ typedef struct ShapeExtension {
      */
     bool (*bind)(Shape *self, const SceneShape *scene_shape, MeshBvhCache *meshes, Error *error);
 
+    bool has_bvh; /**< Whether the shape has its own BVH. */
+
     /**
-     * Intersects a whole packet with a shape that has its own BVH. NULL: the caller calls
-     * #ShapeClass.is_hit for each vector of rays. #closest_hits and #occluded come together.
+     * Intersects a whole packet. NULL: the caller calls #ShapeClass.is_hit for each vector of rays.
+     * #closest_hits and #occluded come together.
      * @param[in,out] hits  Nearest hits so far, one per vector of rays.
      */
     void (*closest_hits)(const Shape *self, const Packet *packet, Hit *hits);
@@ -154,9 +156,14 @@ static inline bool shape_exceeds_box(const Shape *shape) {
     return shape->class->extension && shape->class->extension->count_steps;
 }
 
-/** @return Whether a shape intersects whole packets: it has its own BVH. */
+/** @return Whether a shape intersects whole packets. */
 static inline bool shape_takes_packets(const Shape *shape) {
     return shape->class->extension && shape->class->extension->closest_hits;
+}
+
+/** @return Whether a shape has its own BVH; it then takes packets. */
+static inline bool shape_has_bvh(const Shape *shape) {
+    return shape->class->extension && shape->class->extension->has_bvh;
 }
 
 /* --- what all primitives share ---------------------------------------------------------------- */

@@ -153,7 +153,7 @@ static void transformed_init(Shape *self, const void *parameters) {
     transformed->magnitude = (scalar)vec3d_max_abs(p->transform->translate);
     transformed_compute_sphere(transformed);
     transformed->restart_distance =
-        shape_takes_packets(p->inner) ? TRANSFORMED_NEAR * transformed->radius : 0;
+        shape_has_bvh(p->inner) ? TRANSFORMED_NEAR * transformed->radius : 0;
     transformed->bounds = transformed_compute_bounds(transformed);
 }
 
@@ -339,8 +339,9 @@ static void transformed_occluded(const Shape *self, const Packet *packet, mask *
     }
 }
 
-/** Around a shape that intersects whole packets. */
+/** Around a shape with its own BVH. */
 static const ShapeExtension transformed_packet_extension = {
+    .has_bvh = true,
     .closest_hits = transformed_closest_hits,
     .occluded = transformed_occluded,
 };

@@ -17,7 +17,7 @@ typedef struct TransformedParameters {
  * one. #ShapeClass.init takes #TransformedParameters. */
 extern const ShapeClass transformed_class;
 
-/** The class around shapes that intersect whole packets: #shape_takes_packets. */
+/** The class around shapes with their own BVH: #shape_has_bvh. */
 extern const ShapeClass transformed_packet_class;
 
 #endif

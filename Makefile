@@ -285,7 +285,7 @@ coverage: test-packages
 	@tests/coverage.sh
 
 # What `make bench` and `make peers` run.
-BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(addprefix $(BUILD)/bench-,needs acne)
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,tree marching march-steps) $(addprefix $(BUILD)/bench-,needs acne schedule)
 PEER_PROGRAMS  := $(addprefix $(BUILD)/peer-,embree accuracy fragment)
 .PHONY: test tests
 test: test-packages

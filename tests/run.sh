@@ -33,7 +33,7 @@ rm -rf "$logs" && mkdir -p "$logs"
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
             for script in film readme farm lesson models pictures documentation bad-input outputs hostile-modules limits \
-                nff spd language lab gappa chart engines probe command-line desktop terminal trouble faults threads memcheck \
+                nff spd language lab gappa chart engines probe command-line desktop terminal trouble faults threads schedule memcheck \
                 hardening judges style; do
                 echo "tests/$script.sh"
             done

@@ -15,10 +15,12 @@
 
 /**
  * Pixels of a tile, the unit of work of a thread. Tiles are wide, so that rows of the picture are
- * written in long runs. About a thousand rays take far less time than a frame even with the slowest
- * engine, so a pass stops soon. A multiple of the coarsest stride both ways.
+ * written in long runs, and low, so that no thread waits long for the last of them where glass
+ * makes some a hundred times as slow as others (tests/schedule.sh). Five hundred rays take far less
+ * time than a frame even with the slowest engine, so a pass stops soon. A multiple of the coarsest
+ * stride both ways.
  */
-enum { TILE_COLUMNS = 64, TILE_ROWS = 16 };
+enum { TILE_COLUMNS = 64, TILE_ROWS = 8 };
 
 /** Pixels from one ray to the next in the first pass: it takes 1/64 of the rays and a few
  *  milliseconds. */

@@ -79,6 +79,21 @@ engine_times() {
     done
 }
 
+# thread_times: how much faster many threads are, simulated.
+thread_times() {
+    echo
+    echo '## Many threads'
+    echo
+    echo 'Simulated (`tests/bench/schedule.c`), as this machine has few: the tasks of a whole picture, with all its samples, are timed one by'
+    echo 'one and given to the first thread that is free, in the order of the program. What one thread does alone is in it; what'
+    echo 'real threads lose by shared caches and memory is not. Times as fast as one thread, medians of 3.'
+    echo
+    printf '| scene | 2 | 4 | 8 | 16 |\n|---|--:|--:|--:|--:|\n'
+    "$BUILD/bench-schedule" scenes/box.lua scenes/figure-09.lua scenes/report-d-glass.lua scenes/glass-sphere.lua \
+        scenes/cow.lua scenes/melting.lua scenes/facing-mirrors.lua |
+        awk -F, '{ printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5 }'
+}
+
 objdump -d --no-show-raw-insn "$program" | grep -E '^ +[0-9a-f]+:' >"$work/code"
 {
     echo '# Where the time goes'
@@ -97,5 +112,6 @@ objdump -d --no-show-raw-insn "$program" | grep -E '^ +[0-9a-f]+:' >"$work/code"
     profile scenes/cow.lua 40 'a mesh'
     profile scenes/melting.lua 10 'marching'
     engine_times
+    thread_times
 } >"$work/page"
 cp "$work/page" "$OUT"

@@ -59,12 +59,12 @@ FLAGS_f32x16 := -DREAL_BITS=32 -DLANES=16 $(call X86,-mavx512vl -mavx512dq -mpre
 ALL_ENGINES  += f32x4
 FLAGS_f32x4  := -DREAL_BITS=32 -DLANES=4
 ALL_ENGINES  += f32x1
-# Vectors of two of the three numbers of a point cost more than they save: 4 % of the box.
+# Vectors of two of the three numbers of a point cost more than they save: 2 to 4 % of the box.
 FLAGS_f32x1  := -DREAL_BITS=32 -DLANES=1 -fno-tree-slp-vectorize
 ALL_ENGINES  += f64x4
 FLAGS_f64x4  := -DREAL_BITS=64 -DLANES=4 $(call X86,-mavx2)
 ALL_ENGINES  += f64x1
-FLAGS_f64x1  := -DREAL_BITS=64 -DLANES=1
+FLAGS_f64x1  := -DREAL_BITS=64 -DLANES=1 -fno-tree-slp-vectorize
 ALL_ENGINES  += f128x1
 FLAGS_f128x1 := -DREAL_BITS=128 -DLANES=1
 # Fewer build faster: make ENGINES="f32x8 f64x1 f128x1"

@@ -33,7 +33,7 @@ rm -rf "$logs" && mkdir -p "$logs"
         ls -S tests/test_*.c | sed "s|^tests/\(.*\)\.c$|$build/tests/\1|"
         if [ $build = build/asan ]; then
             for script in film readme farm lesson models pictures documentation bad-input outputs hostile-modules limits \
-                nff spd language lab gappa chart engines probe command-line desktop terminal trouble faults threads schedule memcheck \
+                nff spd language lab gappa chart engines probe command-line desktop terminal trouble faults threads memcheck \
                 hardening judges style; do
                 echo "tests/$script.sh"
             done
@@ -43,7 +43,7 @@ rm -rf "$logs" && mkdir -p "$logs"
     done
 } | xargs -d '\n' -P "${JOBS:-2}" -n 1 "$0" --one
 # What measures time has the machine to itself.
-for script in window bar objects scene-list latency; do "$0" --one "BUILD=build tests/$script.sh"; done
+for script in schedule window bar objects scene-list latency; do "$0" --one "BUILD=build tests/$script.sh"; done
 passed=$(head -qn 1 "$logs"/*.result | grep -c "^ok ")
 failed=$(head -qn 1 "$logs"/*.result | grep -c "^not ok ")
 echo "$passed passed, $failed failed"

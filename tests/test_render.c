@@ -4,6 +4,7 @@
  */
 #include "fixtures.h"
 #include "pictures.h"
+#include "render/render_pass.h"
 
 #include <glob.h>
 #include <math.h>
@@ -65,8 +66,8 @@ static void test_lanes(void **state) {
 static void add_sphere_at_tile_corner(Scene *scene, uint64_t *random) {
     const SceneCamera *camera = &scene->camera;
     double pixel = 2 * tan(camera->fov / 2 * (M_PI / 180)) / WIDTH;
-    double column = 64 * floor(4 * random_unit_double(random)), row = 16;
-    row *= floor(10 * random_unit_double(random));
+    double column = TILE_COLUMNS * floor(4 * random_unit_double(random));
+    double row = TILE_ROWS * floor(20 * random_unit_double(random));
     double x = pixel * (column - WIDTH / 2.0 + random_float(random, -2, 2));
     double y = pixel * (HEIGHT / 2.0 - row + random_float(random, -2, 2));
     double distance = exp(random_float(random, -2, 8));

@@ -15,8 +15,8 @@
 
 /**
  * Pixels of a tile, the unit of work of a thread. Tiles are wide, so that rows of the picture are
- * written in long runs, and low, so that no thread waits long for the last of them where glass
- * makes some a hundred times as slow as others (tests/schedule.sh). Five hundred rays take far less
+ * written in long runs. They are low: glass makes some a hundred times as slow as others, and no
+ * thread shall wait long for the last tile (tests/schedule.sh). Five hundred rays take far less
  * time than a frame even with the slowest engine, so a pass stops soon. A multiple of the coarsest
  * stride both ways.
  */

@@ -84,14 +84,15 @@ thread_times() {
     echo
     echo '## Many threads'
     echo
-    echo 'Simulated (`tests/bench/schedule.c`), as this machine has few: the tasks of a whole picture, with all its samples, are timed one by'
-    echo 'one and given to the first thread that is free, in the order of the program. What one thread does alone is in it; what'
-    echo 'real threads lose by shared caches and memory is not. Times as fast as one thread, medians of 3.'
+    echo 'This machine has few, so they are simulated (`tests/bench/schedule.c`): each task of a picture is timed, and given to the first'
+    echo 'thread that is free, in the order of the program. What one thread does alone is in it; what real threads lose by shared'
+    echo 'caches and memory is not. Each scene in its own size and samples, in the engine that this processor prefers: how many times'
+    echo 'as fast as one thread, medians.'
     echo
     printf '| scene | 2 | 4 | 8 | 16 |\n|---|--:|--:|--:|--:|\n'
     "$BUILD/bench-schedule" scenes/box.lua scenes/figure-09.lua scenes/report-d-glass.lua scenes/glass-sphere.lua \
-        scenes/cow.lua scenes/melting.lua scenes/facing-mirrors.lua |
-        awk -F, '{ printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5 }'
+        scenes/cow.lua scenes/melting.lua scenes/facing-mirrors.lua >"$work/schedule"
+    awk -F, '{ printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5 }' "$work/schedule"
 }
 
 objdump -d --no-show-raw-insn "$program" | grep -E '^ +[0-9a-f]+:' >"$work/code"

@@ -16,7 +16,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /** Numbers of threads. */
 static const int thread_counts[] = {1, 2, 4, 8, 16};
@@ -29,7 +28,7 @@ enum {
 /** The runs of the pool for one picture. */
 typedef struct Schedule {
     double busy;                 /**< Seconds in tasks. */
-    double spans[THREAD_COUNTS]; /**< Seconds from the begin of runs to their ends. */
+    double spans[THREAD_COUNTS]; /**< Seconds from the start of runs to their ends. */
 } Schedule;
 
 /** The schedule of the picture that is drawn. The pool has no room for it: its caller is the

@@ -59,10 +59,12 @@ static CompactionFault check_patterns(uint64_t seed) {
     for (unsigned bits = 0; bits <= ALL_LANES; bits++) {
         scalar numbers[3 * LANES];
         integer_scalar integers[3 * LANES];
+        wide_scalar wides[3 * LANES];
         unsigned count = 0;
         for (int i = 0; i < 3 * LANES; i++) {
             numbers[i] = (scalar)UNTOUCHED;
             integers[i] = UNTOUCHED;
+            wides[i] = UNTOUCHED;
         }
         real lanes = real_of(0);
         for (int lane = 0; lane < LANES; lane++) {
@@ -70,9 +72,12 @@ static CompactionFault check_patterns(uint64_t seed) {
         }
         real_compress(&numbers[LANES], lanes, bits);
         integer_compress(&integers[LANES], lane_numbers(), bits);
+        const wide wide_lanes = widen(lanes);
+        wide_compress(&wides[LANES], &wide_lanes, bits);
         for (int lane = 0; lane < LANES; lane++) {
             if (bits >> lane & 1) {
-                if (numbers[LANES + count] != (scalar)lane || integers[LANES + count] != lane) {
+                if (numbers[LANES + count] != (scalar)lane || integers[LANES + count] != lane ||
+                    wides[LANES + count] != (wide_scalar)lane) {
                     return (CompactionFault){"a chosen lane", bits, count};
                 }
                 count++;
@@ -80,7 +85,8 @@ static CompactionFault check_patterns(uint64_t seed) {
         }
         for (unsigned i = 0; i < LANES; i++) {
             if (numbers[i] != (scalar)UNTOUCHED || numbers[2 * LANES + i] != (scalar)UNTOUCHED ||
-                integers[i] != UNTOUCHED || integers[2 * LANES + i] != UNTOUCHED) {
+                integers[i] != UNTOUCHED || integers[2 * LANES + i] != UNTOUCHED ||
+                wides[i] != UNTOUCHED || wides[2 * LANES + i] != UNTOUCHED) {
                 return (CompactionFault){"a room that is not the vector's", bits, i};
             }
         }

@@ -1,7 +1,7 @@
 /**
  * @file
- * @brief Boxes that are tested at once: LANES of them against a packet; in engines of one lane, as
- *        many as a vector register holds, against one ray.
+ * @brief Boxes that are tested at once: LANES of them against a packet; in engines of one lane
+ * eight against one ray, in vectors of 16 bytes.
  */
 #ifndef DIOPTRE_TRACE_BVH_AABB_PACK_H
 #define DIOPTRE_TRACE_BVH_AABB_PACK_H
@@ -12,7 +12,8 @@
 /** Number of boxes in a pack. */
 enum { AABB_PACK_SIZE = LANES };
 #else
-/** Number of boxes in a pack. Few scenes have more shapes in a list. */
+/** Number of boxes in a pack: as in the engine that most processors prefer. The box of the scenes
+ * has as many shapes. */
 enum { AABB_PACK_SIZE = 8 };
 #endif
 
@@ -81,8 +82,8 @@ INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal le
  * @param[out] near  Lower bounds on the distances in the boxes.
  * @return Bit i for box i.
  */
-INLINE unsigned single_ray_meets(const Ray *ray, const AabbPack *pack, const SlabOrder *order,
-                                 real limit, size_t vectors, PackReal near[PACK_VECTORS]) {
+INLINE unsigned aabb_pack_meets(const Ray *ray, const AabbPack *pack, const SlabOrder *order,
+                                real limit, size_t vectors, PackReal near[PACK_VECTORS]) {
     const PackReal *enter_x = pack->planes[order->enter[0]],
                    *leave_x = pack->planes[order->leave[0]],
                    *enter_y = pack->planes[order->enter[1]],

@@ -206,8 +206,9 @@ INLINE unsigned single_ray_candidates(const ShapeSet *set, const Packet *packet,
                                       const SlabOrder *order, real limit, size_t pack,
                                       PackReal near[PACK_VECTORS]) {
     size_t vectors = ((size_t)linear_pack_size(set, pack) + PACK_LANES - 1) / PACK_LANES;
-    return single_ray_meets(&packet->rays[0], &set->linear_bounds[pack], order, limit, vectors,
-                            near);
+    return linear_pack_bits(set, pack) & aabb_pack_meets(&packet->rays[0],
+                                                         &set->linear_bounds[pack], order, limit,
+                                                         vectors, near);
 }
 
 /** #shape_set_closest_hits for a packet of one ray. */
@@ -218,8 +219,7 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         unsigned remaining =
             single_ray_candidates(set, packet, &order, hits[0].distance, pack, near);
-        int count = linear_pack_size(set, pack);
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < linear_pack_size(set, pack); i++) {
             // A hit rules out all boxes behind it.
             if (remaining >> i & 1 && pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
                 shape_closest_hits(linear_shape(set, pack, i), 0, packet, hits);
@@ -237,8 +237,7 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask 
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count) && !any(occluded[0]); pack++) {
         unsigned remaining =
             single_ray_candidates(set, packet, &order, packet->limit[0], pack, near);
-        int count = linear_pack_size(set, pack);
-        for (int i = 0; i < count && !any(occluded[0]); i++) {
+        for (int i = 0; i < linear_pack_size(set, pack) && !any(occluded[0]); i++) {
             if (remaining >> i & 1) {
                 shape_occluded(linear_shape(set, pack, i), packet, occluded);
             }

@@ -80,7 +80,9 @@ INLINE wide wide_load(const wide_scalar *from) {
 
 /** See real_compress(). */
 INLINE void wide_compress(wide_scalar *to, const wide *x, unsigned bits) {
-#ifdef LANES_COMPRESS_WIDE
+#if REAL_BITS != 32
+    real_compress(to, *x, bits); // They are no wider.
+#elif defined(LANES_COMPRESS_WIDE)
     LANES_COMPRESS_WIDE(to, x, bits);
 #else
     for (; bits; bits &= bits - 1) {

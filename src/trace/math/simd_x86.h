@@ -3,8 +3,7 @@
  * @brief Processor instructions (intrinsics) of x86; those of WebAssembly are in simd_wasm.h.
  *
  * LANES_MIN and LANES_MAX are `a < b ? a : b` and `a > b ? a : b` to the bit, as the instructions
- * define them. For a macro that is not defined for an engine, real.h and columns.h have a loop over
- * the lanes.
+ * define them. For a macro that is not defined for an engine, real.h and columns.h have plain C.
  */
 #ifndef DIOPTRE_TRACE_MATH_SIMD_X86_H
 #define DIOPTRE_TRACE_MATH_SIMD_X86_H
@@ -46,7 +45,8 @@ static const uint32_t FOUR_LANES_FIRST[16] = {0,     0,       0x1,     0x100,   
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 static inline __attribute__((always_inline)) void lanes_compress(float *to, __m256 x,
                                                                  unsigned bits) {
-    uint64_t low = FOUR_LANES_FIRST[bits & 15], high = FOUR_LANES_FIRST[bits >> 4] + 0x4040404u;
+    const uint32_t last_four = 0x4040404; // Added to each number: lanes 4 to 7.
+    uint64_t low = FOUR_LANES_FIRST[bits & 15], high = FOUR_LANES_FIRST[bits >> 4] + last_four;
     uint64_t order = low | high << 8 * __builtin_popcount(bits & 15);
     __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)order));
     _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(x, lanes));

@@ -13,8 +13,12 @@
 #include "trace/math/columns.h"
 #include "trace/sdf/sphere_tracer.h"
 
-/** Rooms of a column: less than one vector waits when the next one begins, and the unfinished rays
- * of two go back. */
+#if LANES > 1
+
+_Static_assert(sizeof(mask) == sizeof(real), "columns hold masks, too");
+
+/** Rooms of a column. Fewer than LANES rays wait when the next vector begins, which adds LANES;
+ * then at most half of a vector goes back. */
 enum { MARCH_QUEUE_ROOMS = COLUMN_ROOMS(3 * LANES) };
 
 // Lists of numbers in #SphereTrace: NUMBER is expanded for a real or mask, VECTOR for three reals.
@@ -34,7 +38,7 @@ enum { MARCH_QUEUE_ROOMS = COLUMN_ROOMS(3 * LANES) };
     VECTOR(walk.direction) VECTOR(inverse_direction)
 
 /** What the cells of a grid need in the next wider type. */
-#define MARCH_GRID_WIDES(WIDE, VECTOR)                                                             \
+#define MARCH_GRID_WIDES(VECTOR)                                                                   \
     VECTOR(grid_origin) VECTOR(grid_direction) VECTOR(local_direction)
 
 /** What a hit needs in a box, besides what its ray has had from the beginning. */
@@ -54,9 +58,8 @@ enum {
     MARCH_BOX_COLUMNS =
         MARCH_BOX_NUMBERS(MARCH_COUNT_NUMBER, MARCH_COUNT_VECTOR), /**< Columns of a box. */
     MARCH_COLUMNS = MARCH_BOX_COLUMNS MARCH_GRID_NUMBERS(
-        MARCH_COUNT_NUMBER, MARCH_COUNT_VECTOR), /**< Those of a grid in all. */
-    MARCH_WIDE_COLUMNS =
-        MARCH_GRID_WIDES(MARCH_COUNT_NUMBER, MARCH_COUNT_VECTOR) /**< Those of wide numbers. */
+        MARCH_COUNT_NUMBER, MARCH_COUNT_VECTOR),              /**< Those of a grid in all. */
+    MARCH_WIDE_COLUMNS = MARCH_GRID_WIDES(MARCH_COUNT_VECTOR) /**< Those of wide numbers. */
 };
 
 /** Rays that wait; the last to come is the first to go. */
@@ -66,39 +69,55 @@ typedef struct MarchQueue {
     wide_scalar wides[MARCH_WIDE_COLUMNS][MARCH_QUEUE_ROOMS]; /**< Their wide numbers. */
 } MarchQueue;
 
+/** Adds a number of the rays to the next column. */
+#define PUSH_NUMBER(name)                                                                          \
+    real_compress(&(*column++)[count], real_load((const scalar *)(const void *)&trace->name), bits);
+/** Adds three. */
+#define PUSH_VECTOR(name) PUSH_NUMBER(name.x) PUSH_NUMBER(name.y) PUSH_NUMBER(name.z)
+/** Adds three wide numbers. */
+#define PUSH_WIDE_VECTOR(name)                                                                     \
+    wide_compress(&(*wides++)[count], &trace->name.x, bits);                                       \
+    wide_compress(&(*wides++)[count], &trace->name.y, bits);                                       \
+    wide_compress(&(*wides++)[count], &trace->name.z, bits);
+
 /** Adds rays. @param bits Their lanes. @param is_repeated Whether the field has a grid. */
 static void march_queue_push(MarchQueue *queue, const SphereTrace *trace, unsigned bits,
                              bool is_repeated) {
     const unsigned count = queue->count;
     scalar(*column)[MARCH_QUEUE_ROOMS] = queue->columns;
-#define PUSH_NUMBER(name)                                                                          \
-    real_compress(&(*column++)[count], real_load((const scalar *)(const void *)&trace->name), bits);
-#define PUSH_VECTOR(name) PUSH_NUMBER(name.x) PUSH_NUMBER(name.y) PUSH_NUMBER(name.z)
     MARCH_BOX_NUMBERS(PUSH_NUMBER, PUSH_VECTOR)
     if (is_repeated) {
         wide_scalar(*wides)[MARCH_QUEUE_ROOMS] = queue->wides;
-#define PUSH_WIDE(name) wide_compress(&(*wides++)[count], &trace->name, bits);
-#define PUSH_WIDE_VECTOR(name) PUSH_WIDE(name.x) PUSH_WIDE(name.y) PUSH_WIDE(name.z)
         MARCH_GRID_NUMBERS(PUSH_NUMBER, PUSH_VECTOR)
-        MARCH_GRID_WIDES(PUSH_WIDE, PUSH_WIDE_VECTOR)
+        MARCH_GRID_WIDES(PUSH_WIDE_VECTOR)
     }
     queue->count = count + (unsigned)__builtin_popcount(bits);
 }
+
+#undef PUSH_NUMBER
+#undef PUSH_VECTOR
+#undef PUSH_WIDE_VECTOR
+
+/** Takes a number of the rays from the next column. */
+#define POP_NUMBER(name) real_store((scalar *)(void *)&trace->name, real_load(&(*column++)[count]));
+/** Takes three. */
+#define POP_VECTOR(name) POP_NUMBER(name.x) POP_NUMBER(name.y) POP_NUMBER(name.z)
+/** Takes three wide numbers. */
+#define POP_WIDE_VECTOR(name)                                                                      \
+    trace->name.x = wide_load(&(*wides++)[count]);                                                 \
+    trace->name.y = wide_load(&(*wides++)[count]);                                                 \
+    trace->name.z = wide_load(&(*wides++)[count]);
 
 /** Takes up to LANES rays. @param is_repeated Whether the field has a grid. */
 static void march_queue_pop(MarchQueue *queue, SphereTrace *trace, bool is_repeated) {
     const unsigned taken = queue->count < LANES ? queue->count : LANES,
                    count = queue->count - taken;
     scalar(*column)[MARCH_QUEUE_ROOMS] = queue->columns;
-#define POP_NUMBER(name) real_store((scalar *)(void *)&trace->name, real_load(&(*column++)[count]));
-#define POP_VECTOR(name) POP_NUMBER(name.x) POP_NUMBER(name.y) POP_NUMBER(name.z)
     MARCH_BOX_NUMBERS(POP_NUMBER, POP_VECTOR)
     if (is_repeated) {
         wide_scalar(*wides)[MARCH_QUEUE_ROOMS] = queue->wides;
-#define POP_WIDE(name) trace->name = wide_load(&(*wides++)[count]);
-#define POP_WIDE_VECTOR(name) POP_WIDE(name.x) POP_WIDE(name.y) POP_WIDE(name.z)
         MARCH_GRID_NUMBERS(POP_NUMBER, POP_VECTOR)
-        MARCH_GRID_WIDES(POP_WIDE, POP_WIDE_VECTOR)
+        MARCH_GRID_WIDES(POP_WIDE_VECTOR)
     }
     queue->count = count;
     mask lanes = lane_numbers() < integer_of((int)taken);
@@ -107,21 +126,33 @@ static void march_queue_pop(MarchQueue *queue, SphereTrace *trace, bool is_repea
     trace->entering = trace->entering & lanes;
 }
 
+#undef POP_NUMBER
+#undef POP_VECTOR
+#undef POP_WIDE_VECTOR
+
+/** Copies a number of one ray. */
+#define COPY_NUMBER(name)                                                                          \
+    ((stored_scalar *)(void *)&home->name)[to] =                                                   \
+        ((const stored_scalar *)(const void *)&trace->name)[from];
+/** Copies three. */
+#define COPY_VECTOR(name) COPY_NUMBER(name.x) COPY_NUMBER(name.y) COPY_NUMBER(name.z)
+
 /** Writes the results of rays that have arrived to the vectors that they come from. @param traces
  *  Those of the packet. */
 static void march_results_write(const SphereTrace *trace, SphereTrace *traces, bool is_repeated) {
     for (unsigned bits = mask_bits(trace->arrived); bits; bits &= bits - 1) {
         int from = __builtin_ctz(bits), ray = integer_at(&trace->ray, from), to = ray % LANES;
         SphereTrace *home = &traces[ray / LANES];
-#define COPY_NUMBER(name)                                                                          \
-    ((stored_scalar *)(void *)&home->name)[to] =                                                   \
-        ((const stored_scalar *)(const void *)&trace->name)[from];
-#define COPY_VECTOR(name) COPY_NUMBER(name.x) COPY_NUMBER(name.y) COPY_NUMBER(name.z)
         MARCH_BOX_RESULTS(COPY_NUMBER, COPY_VECTOR)
         if (is_repeated) {
             MARCH_GRID_RESULTS(COPY_NUMBER, COPY_VECTOR)
         }
     }
 }
+
+#undef COPY_NUMBER
+#undef COPY_VECTOR
+
+#endif
 
 #endif

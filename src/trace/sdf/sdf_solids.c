@@ -89,8 +89,9 @@ void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction) {
 }
 
 /**
- * @return Three times the depth of points in holes of one size along one axis, in cells: positive
- * between the two sides of a hole, negative in the solid, down to the middle between two holes.
+ * @return Three times the depth of points in holes of one size along one axis, in half cells:
+ *         positive between the two sides of a hole, negative in the solid, down to the middle
+ *         between two holes.
  * @param x           Coordinates, in half edges of the sponge.
  * @param per_cell    Number of cells along the sponge.
  * @param[out] slope  1 or -1: derivative by the coordinate.
@@ -104,10 +105,10 @@ INLINE real menger_hole_depth(real x, scalar per_cell, real *slope) {
 
 /** The depths of points in holes of one size. */
 typedef struct MengerHoles {
-    Vec3 depth;  /**< Along the axes, in units of #size. */
-    Vec3 slope;  /**< Their derivatives, in units of #size. */
-    real size;   /**< What they are divided by. */
-    real middle; /**< The middle one of the three, in half edges of the sponge. */
+    Vec3 depth;   /**< Along the axes, times #divisor, in half edges of the sponge. */
+    Vec3 slope;   /**< Signs of their derivatives. */
+    real divisor; /**< See #depth. */
+    real middle;  /**< The middle one of the three, in half edges of the sponge. */
 } MengerHoles;
 
 /** @return The depths. A point is in a hole along an axis if it is between the sides along the two
@@ -115,22 +116,22 @@ typedef struct MengerHoles {
  *          Points, in half edges of the sponge. @param per_cell Number of cells along the sponge.
  */
 INLINE MengerHoles menger_holes(Vec3 p, scalar per_cell) {
-    MengerHoles holes = {.size = real_of(3 * per_cell)};
+    MengerHoles holes = {.divisor = real_of(3 * per_cell)};
     holes.depth = (Vec3){menger_hole_depth(p.x, per_cell, &holes.slope.x),
                          menger_hole_depth(p.y, per_cell, &holes.slope.y),
                          menger_hole_depth(p.z, per_cell, &holes.slope.z)};
     real low = real_min(holes.depth.x, holes.depth.y),
          high = real_max(holes.depth.x, holes.depth.y);
-    holes.middle = real_max(low, real_min(high, holes.depth.z)) / holes.size;
+    holes.middle = real_max(low, real_min(high, holes.depth.z)) / holes.divisor;
     return holes;
 }
 
 /** @return The gradient of the middle depth. */
 INLINE Vec3 menger_holes_gradient(const MengerHoles *holes) {
-    const real middle = holes->middle, size = holes->size;
-    Vec3 to_middle = {-real_abs(holes->depth.x / size - middle),
-                      -real_abs(holes->depth.y / size - middle),
-                      -real_abs(holes->depth.z / size - middle)};
+    const real middle = holes->middle, divisor = holes->divisor;
+    Vec3 to_middle = {-real_abs(holes->depth.x / divisor - middle),
+                      -real_abs(holes->depth.y / divisor - middle),
+                      -real_abs(holes->depth.z / divisor - middle)};
     return vec3_multiply(unit_axis_of_largest(to_middle, real_of(0)), holes->slope);
 }
 
@@ -140,9 +141,9 @@ void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample sponge = sdf_box_sample(p, (Vec3){one, one, one}, vm->wants_gradient);
     scalar per_cell = 1;
     for (int i = 0; i < (int)instruction->operands[1]; i++) {
-        // No point is deeper in a hole than a third of a cell: smaller holes change nothing far
-        // from the sponge and inside larger ones.
-        if (!any(vm->active & (sponge.distance < one / real_of(3 * per_cell)))) {
+        // No point is deeper in a hole than a third of half a cell: smaller holes change nothing
+        // far from the sponge and inside larger ones.
+        if (!any(vm->active & (sponge.distance < real_of(1 / (3 * per_cell))))) {
             break;
         }
         MengerHoles holes = menger_holes(p, per_cell);

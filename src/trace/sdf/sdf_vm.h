@@ -26,8 +26,9 @@ INLINE void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
 
 /** @return Distances of points. @param active Lanes that count; other results are undefined. */
 INLINE real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active) {
-    SdfVm vm;
+    SdfVm vm; // Without a gradient: this is the hot loop of sphere tracing.
     vm.point = point;
+    vm.sample.distance = real_of(0);
     vm.active = active;
     vm.wants_gradient = false;
     sdf_vm_run(&vm, program, count);
@@ -37,10 +38,11 @@ INLINE real sdf_distance(const SdfInstruction *program, int count, Vec3 point, m
 /** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
  *  count; other results are undefined. */
 INLINE SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active) {
-    SdfVm vm;
-    vm.point = point;
-    vm.active = active;
-    vm.wants_gradient = true;
+    const real zero = real_of(0);
+    SdfVm vm = {.point = point,
+                .sample = {zero, {zero, zero, zero}},
+                .active = active,
+                .wants_gradient = true};
     sdf_vm_run(&vm, program, count);
     return vm.sample;
 }

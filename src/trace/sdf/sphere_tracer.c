@@ -6,6 +6,7 @@
 
 #include "trace/bvh/slab.h"
 #include "trace/sdf/march_queue.h"
+#include "trace/sdf/sdf_vm.h"
 
 /** A ray that reaches the step limit has a hit if it came within so many tolerances. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
@@ -92,7 +93,8 @@ INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trac
     return lanes;
 }
 
-/** Advances searching rays by one cell, and by more while they are the most. */
+/** Advances searching rays by one cell, and by further ones while #sphere_trace_grid_step would
+ *  choose that again. */
 INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trace) {
     const unsigned stepping = mask_count(trace->stepping);
     unsigned seeking;
@@ -278,8 +280,10 @@ INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace,
 }
 
 /** Ends rays: those that came near enough have a hit, the others none. @param exhausted Those that
- *  have reached the step limit, in a box or in search of one. */
-static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace, mask exhausted) {
+ *  have reached the step limit, in a box or in search of one. @return Number of those without hit.
+ */
+static unsigned sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace,
+                                     mask exhausted) {
     Vec3 point = sphere_trace_point(trace, trace->best_t);
     real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
                 sphere_trace_tolerance(tracer, trace, trace->best_t, point);
@@ -288,7 +292,7 @@ static void sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace,
     trace->arrived = trace->arrived | is_near;
     trace->stepping = trace->stepping & mask_not(exhausted);
     trace->seeking = trace->seeking & mask_not(exhausted);
-    step_limit_counter_add(tracer->step_limit_counter, mask_count(exhausted & mask_not(is_near)));
+    return mask_count(exhausted & mask_not(is_near));
 }
 
 /** Makes one step. */
@@ -326,17 +330,15 @@ INLINE mask sphere_trace_unfinished(const SphereTrace *trace) {
 }
 
 /** Makes the next step of rays, and ends those that have reached the step limit. @param[in,out]
- *  trace The rays, at least one unfinished. */
-static void sphere_trace_continue(const SphereTracer *tracer, SphereTrace *trace) {
+ *  trace The rays, at least one unfinished. @return Number of rays that ended there without hit. */
+static unsigned sphere_trace_continue(const SphereTracer *tracer, SphereTrace *trace) {
     if (tracer->grid.is_repeated) {
         sphere_trace_grid_step(tracer, trace);
     } else {
         sphere_trace_step(tracer, trace);
     }
     mask exhausted = sphere_trace_at_limit(tracer, trace) & (trace->stepping | trace->seeking);
-    if (any(exhausted)) {
-        sphere_trace_give_up(tracer, trace, exhausted);
-    }
+    return any(exhausted) ? sphere_trace_give_up(tracer, trace, exhausted) : 0;
 }
 
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
@@ -345,18 +347,20 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
         return false;
     }
     while (any(sphere_trace_unfinished(trace))) {
-        sphere_trace_continue(tracer, trace);
+        step_limit_counter_add(tracer->step_limit_counter, sphere_trace_continue(tracer, trace));
     }
     return any(trace->arrived);
 }
 
 /* --- packets ---------------------------------------------------------------------------------- */
 
+#if LANES > 1
+
 enum {
     MARCH_VECTORS = 2, /**< Vectors that step in turn: the processor begins the step of one before
                           that of the other ends. */
     MARCH_FREE_LANES = LANES / 2 /**< Finished rays of a vector from which on others take their
-                                      places. */
+                                      places: a quarter or three quarters were slower (measured). */
 };
 
 /** The rays of a packet while they are traced. */
@@ -366,7 +370,7 @@ typedef struct MarchPacket {
     const mask *active;         /**< Lanes that count, per vector. */
     const real *limits;         /**< Largest distances, per vector. */
     bool is_shadow;             /**< Whether they are shadow rays. */
-    SphereTrace *traces;        /**< Their states, per vector. */
+    SphereTrace *traces;        /**< Their first states, per vector, and the hits. */
     int begun;                  /**< Number of vectors that have begun. */
     MarchQueue queue;           /**< Rays of these that wait. */
 } MarchPacket;
@@ -408,7 +412,7 @@ static bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
 
 void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, const mask *active,
                              const real *limits, bool is_shadow, SphereTrace *traces) {
-    MarchPacket march;
+    MarchPacket march; // An initializer would clear 20 KB of columns.
     march.tracer = tracer;
     march.packet = packet;
     march.active = active;
@@ -431,7 +435,8 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
                 continue;
             }
             is_unfinished = true;
-            sphere_trace_continue(tracer, trace);
+            step_limit_counter_add(tracer->step_limit_counter,
+                                   sphere_trace_continue(tracer, trace));
             if (any(trace->arrived)) {
                 march_results_write(trace, traces, tracer->grid.is_repeated);
                 trace->arrived = mask_of(false);
@@ -439,6 +444,8 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
         }
     }
 }
+
+#endif
 
 /* --- records ---------------------------------------------------------------------------------- */
 

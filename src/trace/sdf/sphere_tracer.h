@@ -14,7 +14,7 @@
 #define DIOPTRE_TRACE_SDF_SPHERE_TRACER_H
 
 #include "trace/sdf/repeat_grid.h"
-#include "trace/sdf/sdf_vm.h"
+#include "trace/sdf/sdf_program.h"
 #include "trace/sdf/similarity.h"
 #include "trace/sdf/step_limit.h"
 #include "trace/tracer/footprint.h"
@@ -99,10 +99,13 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
                       bool is_shadow, SphereTrace *trace);
 
 /**
- * #sphere_trace_run for the rays of a packet.
+ * #sphere_trace_run for the rays of a packet, in engines of several lanes.
+ * @param packet       The rays.
  * @param active       Lanes that count, per vector.
  * @param limits       Largest distances, per vector.
- * @param[out] traces  The final states, per vector. Where nothing arrived, only that is set.
+ * @param is_shadow    Whether they are shadow rays.
+ * @param[out] traces  What #sphere_trace_distance and hits need, per vector. Where nothing arrived,
+ *                     only that is set.
  */
 void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, const mask *active,
                              const real *limits, bool is_shadow, SphereTrace *traces);

@@ -6,6 +6,7 @@
  * moves the hit onto it, and gives the normal.
  */
 #include "trace/mesh/mesh_bvh.h"
+#include "trace/sdf/sdf_vm.h"
 #include "trace/sdf/sphere_tracer.h"
 
 /** Largest correction of a hit, in tolerances. */
@@ -122,6 +123,8 @@ static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask activ
                : mask_of(false);
 }
 
+#if LANES > 1
+
 /** See #ShapeExtension.closest_hits. @callgraph */
 static void sdf_shape_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
     SphereTrace traces[PACKET_VECTORS];
@@ -154,6 +157,8 @@ static void sdf_shape_occluded(const Shape *self, const Packet *packet, mask *oc
     }
 }
 
+#endif
+
 /** See #ShapeExtension.count_steps. */
 static real sdf_shape_count_steps(const Shape *self, const Ray *ray, mask active, real limit,
                                   MarchLog *log) {
@@ -165,12 +170,15 @@ static Aabbs sdf_shape_bounds(const Shape *self) {
     return ((const SdfShape *)self)->box;
 }
 
-/** A distance field has a program of any length, and counts its steps. */
+/** A distance field has a program of any length, and counts its steps. It takes packets, so that
+ *  rays of one vector take the lanes of another's finished ones. */
 static const ShapeExtension sdf_shape_extension = {
     .tail_size = sdf_shape_tail,
     .bind = sdf_shape_bind,
-    .closest_hits = LANES > 1 ? sdf_shape_closest_hits : NULL,
-    .occluded = LANES > 1 ? sdf_shape_occluded : NULL,
+#if LANES > 1
+    .closest_hits = sdf_shape_closest_hits,
+    .occluded = sdf_shape_occluded,
+#endif
     .count_steps = sdf_shape_count_steps,
 };
 

@@ -61,6 +61,6 @@ Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int in
     if (!scene_shape->transform) {
         return inner;
     }
-    base.class = shape_has_bvh(inner) ? &transformed_packet_class : &transformed_class;
+    base.class = shape_has_bvh(inner) ? &transformed_bvh_class : &transformed_class;
     return shape_init(memory, base, &(TransformedParameters){scene_shape->transform, inner});
 }

@@ -44,7 +44,7 @@ typedef struct MarchLog {
 } MarchLog;
 
 /** Methods of the few kinds of shapes that are more than a primitive: meshes, distance fields and
- *  transformed shapes. Each may be NULL. */
+ *  transformed shapes. Each method may be NULL. */
 typedef struct ShapeExtension {
     /** @return Bytes that an object needs behind itself: see #shape_tail. NULL: none.
      *  @param parameters The parameter struct of the shape, finished. */

@@ -340,7 +340,7 @@ static void transformed_occluded(const Shape *self, const Packet *packet, mask *
 }
 
 /** Around a shape with its own BVH. */
-static const ShapeExtension transformed_packet_extension = {
+static const ShapeExtension transformed_bvh_extension = {
     .has_bvh = true,
     .closest_hits = transformed_closest_hits,
     .occluded = transformed_occluded,
@@ -349,14 +349,14 @@ static const ShapeExtension transformed_packet_extension = {
 /** Around all other shapes. */
 static const ShapeExtension transformed_extension = {.count_steps = transformed_count_steps};
 
-const ShapeClass transformed_packet_class = {
+const ShapeClass transformed_bvh_class = {
     .size = sizeof(TransformedShape),
     .init = transformed_init,
     .is_hit = transformed_is_hit,
     .is_occluding = transformed_is_occluding,
     .bounds = transformed_bounds,
     .texture_uv = transformed_texture_uv,
-    .extension = &transformed_packet_extension,
+    .extension = &transformed_bvh_extension,
 };
 
 const ShapeClass transformed_class = {

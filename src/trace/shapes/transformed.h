@@ -18,6 +18,6 @@ typedef struct TransformedParameters {
 extern const ShapeClass transformed_class;
 
 /** The class around shapes with their own BVH: #shape_has_bvh. */
-extern const ShapeClass transformed_packet_class;
+extern const ShapeClass transformed_bvh_class;
 
 #endif

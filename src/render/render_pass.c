@@ -113,20 +113,29 @@ bool render_pass_run_tiles(RenderPass *pass, ShadeTile shade) {
     return !render_pass_is_stopped(pass);
 }
 
+/** Adds to a counter. Most counts of most tiles are 0, and an atomic addition of 0 costs as much as
+ * any where other threads count, too. */
+static void add_count(_Atomic uint64_t *counter, uint64_t count) {
+    if (count > 0) {
+        atomic_fetch_add_explicit(counter, count, memory_order_relaxed);
+    }
+}
+
 void render_pass_add_rays(RenderPass *pass, const RayCounts *counts, size_t rays) {
-    atomic_fetch_add_explicit(&pass->camera, counts->camera, memory_order_relaxed);
-    atomic_fetch_add_explicit(&pass->reflected, counts->reflection, memory_order_relaxed);
-    atomic_fetch_add_explicit(&pass->refracted, counts->refraction, memory_order_relaxed);
-    atomic_fetch_add_explicit(&pass->total_reflections, counts->total_reflection,
-                              memory_order_relaxed);
-    atomic_fetch_add_explicit(&pass->shadow, counts->shadow, memory_order_relaxed);
-    atomic_fetch_add_explicit(&pass->unresolved, counts->unresolved, memory_order_relaxed);
+    add_count(&pass->camera, counts->camera);
+    add_count(&pass->reflected, counts->reflection);
+    add_count(&pass->refracted, counts->refraction);
+    add_count(&pass->total_reflections, counts->total_reflection);
+    add_count(&pass->shadow, counts->shadow);
+    add_count(&pass->unresolved, counts->unresolved);
     double steps = atomic_load(&pass->unresolved_steps);
     while (
         counts->unresolved_steps > steps &&
         !atomic_compare_exchange_weak(&pass->unresolved_steps, &steps, counts->unresolved_steps)) {
     }
-    atomic_fetch_add_explicit(&pass->renderer->rays_done, rays, memory_order_relaxed);
+    if (rays > 0) {
+        atomic_fetch_add_explicit(&pass->renderer->rays_done, rays, memory_order_relaxed);
+    }
 }
 
 RenderStats render_pass_stats(RenderPass *pass, bool is_last) {

@@ -54,8 +54,10 @@ INLINE void real_compress(scalar *to, real x, unsigned bits) {
 #ifdef LANES_COMPRESS
     LANES_COMPRESS(to, x, bits);
 #else
-    for (; bits; bits &= bits - 1) {
-        *to++ = real_lane(x, __builtin_ctz(bits));
+    // A lane that is not chosen is written over by the next: no branch depends on the bits.
+    for (int i = 0; i < LANES; i++) {
+        *to = real_lane(x, i);
+        to += bits >> i & 1;
     }
 #endif
 }
@@ -65,8 +67,9 @@ INLINE void integer_compress(integer_scalar *to, integer x, unsigned bits) {
 #ifdef LANES_COMPRESS
     LANES_COMPRESS((void *)to, x, bits);
 #else
-    for (; bits; bits &= bits - 1) {
-        *to++ = integer_lane(x, __builtin_ctz(bits));
+    for (int i = 0; i < LANES; i++) {
+        *to = integer_lane(x, i);
+        to += bits >> i & 1;
     }
 #endif
 }
@@ -85,8 +88,9 @@ INLINE void wide_compress(wide_scalar *to, const wide *x, unsigned bits) {
 #elif defined(LANES_COMPRESS_WIDE)
     LANES_COMPRESS_WIDE(to, x, bits);
 #else
-    for (; bits; bits &= bits - 1) {
-        *to++ = wide_at(x, __builtin_ctz(bits));
+    for (int i = 0; i < LANES; i++) {
+        *to = wide_at(x, i);
+        to += bits >> i & 1;
     }
 #endif
 }

@@ -29,6 +29,14 @@
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits)                                                                \
     _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)(bits), (__m512)(x)))
+/** LANES_COMPRESS for eight of the next wider numbers, at x. */
+#define LANES_COMPRESS_HALF(to, x, bits)                                                           \
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd((__mmask8)(bits), _mm512_loadu_pd(x)))
+/** LANES_COMPRESS for the next wider numbers, at x: eight at a time. */
+#define LANES_COMPRESS_WIDE(to, x, bits)                                                           \
+    (LANES_COMPRESS_HALF(to, x, (bits)&255),                                                       \
+     LANES_COMPRESS_HALF((to) + __builtin_popcount((bits)&255), (const double *)(x) + 8,           \
+                         (bits) >> 8))
 /** a where the mask m is set, b elsewhere; compiled to one instruction. */
 #define LANES_SELECT(m, a, b) (real)(((m) & (mask)(a)) | (~(m) & (mask)(b)))
 /** The minimum; b if either is NaN. */

@@ -93,11 +93,14 @@ INLINE mask sphere_trace_next_cell(const SphereTracer *tracer, SphereTrace *trac
     return lanes;
 }
 
-/** Advances searching rays by one cell, and by further ones while #sphere_trace_grid_step would
- *  choose that again. */
+/** @return Whether the search of a cell is what most rays need next. */
+INLINE bool sphere_trace_seeks(const SphereTrace *trace) {
+    unsigned seeking = mask_count(trace->seeking);
+    return seeking >= mask_count(trace->stepping) && seeking >= mask_count(trace->entering);
+}
+
+/** Advances searching rays by one cell, and by further ones while most rays search. */
 INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trace) {
-    const unsigned stepping = mask_count(trace->stepping);
-    unsigned seeking;
     do {
         mask lanes = sphere_trace_next_cell(tracer, trace, trace->seeking);
         real footprint = sphere_trace_footprint(
@@ -106,8 +109,7 @@ INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trac
                                                     footprint * (scalar)tracer->inner.scale);
         trace->entering = trace->entering | meets;
         trace->seeking = lanes & mask_not(meets);
-        seeking = mask_count(trace->seeking);
-    } while (seeking > 0 && seeking >= stepping && seeking >= mask_count(trace->entering) &&
+    } while (any(trace->seeking) && sphere_trace_seeks(trace) &&
              !any(trace->seeking & sphere_trace_at_limit(tracer, trace)));
 }
 
@@ -313,12 +315,10 @@ INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
 /** Does what most rays need next: a step, the search of a cell or the entry into a box. The path of
  * a ray does not depend on the others. */
 INLINE void sphere_trace_grid_step(const SphereTracer *tracer, SphereTrace *trace) {
-    unsigned walking = mask_count(trace->stepping), seeking = mask_count(trace->seeking),
-             entering = mask_count(trace->entering);
-    if (walking > seeking && walking > entering) {
-        sphere_trace_step(tracer, trace);
-    } else if (seeking >= entering) {
+    if (sphere_trace_seeks(trace)) {
         sphere_trace_seek_cell(tracer, trace);
+    } else if (mask_count(trace->stepping) > mask_count(trace->entering)) {
+        sphere_trace_step(tracer, trace);
     } else {
         sphere_trace_enter_copy(tracer, trace);
     }

@@ -18,8 +18,9 @@
 enum { REPORT_CAPACITY = 64 };
 /** Largest block of a call, bytes. */
 enum { BLOCK_CAPACITY = 1 << 16 };
-/** The process id of the worker that is not there. */
-enum { WORKER_ID = 1 << 30 };
+/** The process id of the worker that is not there: above all ids of Linux (2^22). Much larger ones
+ * lose their bits in the id of a processor clock, which then is that of this process. */
+enum { WORKER_ID = 1 << 23 };
 
 /** The input of the run. */
 static FuzzInput input;

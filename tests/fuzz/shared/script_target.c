@@ -7,11 +7,17 @@
 #include "script/script_question.h"
 
 #include <lauxlib.h>
+#include <lualib.h>
+#include <math.h>
 
 /** Memory of a Lua state, bytes: little, so that no run is slow. */
 static const size_t MEMORY_LIMIT = (size_t)4 << 20;
 /** Calls of the hook until a run ends; there is one per call and per thousand instructions. */
 enum { HOOK_CALLS_LIMIT = 3000 };
+
+/** Most steps of one library function, which calls no hook meanwhile. The program ends such a run
+ * by its limit of processor time; the fuzzer would take it for a hang. */
+static const double LIBRARY_STEPS_LIMIT = 1e7;
 
 /** The Lua state of the run; there is one at a time. */
 static struct {
@@ -54,12 +60,91 @@ lua_State *__wrap_lua_newstate(lua_Alloc allocator, void *context) {
     return current.lua;
 }
 
+/** @return Most steps of a search for a pattern: each repetition may try all lengths, from each
+ *          position. The arguments are the text and the pattern. */
+static double pattern_steps(lua_State *L, lua_Debug *call) {
+    bool has_both = lua_getlocal(L, call, 1) && lua_getlocal(L, call, 2);
+    const char *text = has_both ? lua_tostring(L, -2) : NULL;
+    const char *pattern = has_both ? lua_tostring(L, -1) : NULL;
+    if (!text || !pattern) {
+        return 0;
+    }
+    int loops = 1;
+    for (size_t i = 0; i < lua_rawlen(L, -1); i++) {
+        loops += pattern[i] && strchr("*+-?", pattern[i]);
+    }
+    return pow((double)lua_rawlen(L, -2) + 1, loops);
+}
+
+/** @return A number that is an argument of a call; 0 if it is none. */
+static double number_argument(lua_State *L, lua_Debug *call, int index) {
+    return lua_getlocal(L, call, index) ? lua_tonumber(L, -1) : 0;
+}
+
+/** @return Steps of `string.rep`: repetitions of an empty text need no memory. */
+static double repetition_steps(lua_State *L, lua_Debug *call) {
+    return number_argument(L, call, 2);
+}
+
+/** @return Steps of `table.move`. */
+static double move_steps(lua_State *L, lua_Debug *call) {
+    return number_argument(L, call, 3) - number_argument(L, call, 2);
+}
+
+/** @return Steps of a function that loops over a table: endless if the script says its length. */
+static double length_steps(lua_State *L, lua_Debug *call) {
+    return lua_getlocal(L, call, 1) && luaL_getmetafield(L, -1, "__len") ? HUGE_VAL : 0;
+}
+
+/** A library function that may take long without calling a hook. */
+typedef struct LongFunction {
+    const char *library;                            /**< Name of its library. */
+    const char *name;                               /**< Its name. */
+    double (*steps)(lua_State *L, lua_Debug *call); /**< Bound on the steps of a call. */
+    lua_CFunction function;                         /**< The function. */
+} LongFunction;
+
+/** @return The steps of a call that is beginning; 0 unless it is of a long library function. */
+static double library_steps(lua_State *L, lua_Debug *call) {
+    static LongFunction functions[] = {
+        {"string", "find", pattern_steps, NULL},   {"string", "match", pattern_steps, NULL},
+        {"string", "gmatch", pattern_steps, NULL}, {"string", "gsub", pattern_steps, NULL},
+        {"string", "rep", repetition_steps, NULL}, {"table", "move", move_steps, NULL},
+        {"table", "insert", length_steps, NULL},   {"table", "remove", length_steps, NULL},
+        {"table", "concat", length_steps, NULL},   {"table", "sort", length_steps, NULL}};
+    const size_t count = sizeof functions / sizeof *functions;
+    if (!functions[0].function) {
+        lua_State *libraries = luaL_newstate();
+        FUZZ_REQUIRE(libraries);
+        luaL_openlibs(libraries);
+        for (size_t i = 0; i < count; i++) {
+            lua_getglobal(libraries, functions[i].library);
+            lua_getfield(libraries, -1, functions[i].name);
+            functions[i].function = lua_tocfunction(libraries, -1);
+            FUZZ_REQUIRE(functions[i].function);
+        }
+        lua_close(libraries);
+    }
+    lua_getinfo(L, "f", call);
+    lua_CFunction called = lua_tocfunction(L, -1);
+    for (size_t i = 0; called && i < count; i++) {
+        if (functions[i].function == called) {
+            return functions[i].steps(L, call);
+        }
+    }
+    return 0;
+}
+
 /** Ends a run that is too long; else calls the program's hook. See lua_Hook. */
 static void counting_hook(lua_State *L, lua_Debug *event) {
+    int top = lua_gettop(L);
+    bool is_call = event->event == LUA_HOOKCALL || event->event == LUA_HOOKTAILCALL;
     current.hook(L, event);
-    if (++current.hook_calls > HOOK_CALLS_LIMIT) {
+    if (++current.hook_calls > HOOK_CALLS_LIMIT ||
+        (is_call && library_steps(L, event) > LIBRARY_STEPS_LIMIT)) {
         luaL_error(L, "the fuzzer's limit");
     }
+    lua_settop(L, top);
 }
 
 /** Sets the hook of a run. See lua_sethook. */

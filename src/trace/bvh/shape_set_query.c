@@ -311,7 +311,8 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
         single_ray_occluded(set, packet, occluded);
         return;
     }
-    const PacketIntervals intervals = known ? *known : set_intervals(set, packet);
+    PacketIntervals intervals = known ? *known : set_intervals(set, packet);
+    intervals.has_region = intervals.has_region && !set->may_exceed_box;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);
     }

@@ -87,9 +87,10 @@ PacketIntervals packet_intervals(const Packet *packet) {
     for (int v = 0; v < PACKET_VECTORS; v++) {
         limit = real_max(real_select(packet->active[v], packet->limit[v], real_of(0)), limit);
     }
-    return (PacketIntervals){{packet_axis_interval(packet, 0), packet_axis_interval(packet, 1),
-                              packet_axis_interval(packet, 2)},
-                             real_reduce_max(limit)};
+    return (PacketIntervals){.axis = {packet_axis_interval(packet, 0),
+                                      packet_axis_interval(packet, 1),
+                                      packet_axis_interval(packet, 2)},
+                             .limit = real_reduce_max(limit)};
 }
 
 /** @return The interval along one axis of rays to a point. @param point Its coordinate. */
@@ -103,10 +104,21 @@ INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar poi
 }
 
 PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit) {
-    return (PacketIntervals){{axis_interval_to_point(low.x, high.x, real_lane(point->x, 0)),
-                              axis_interval_to_point(low.y, high.y, real_lane(point->y, 0)),
-                              axis_interval_to_point(low.z, high.z, real_lane(point->z, 0))},
-                             limit};
+    const scalar end[3] = {real_lane(point->x, 0), real_lane(point->y, 0), real_lane(point->z, 0)};
+    PacketIntervals intervals = {.axis = {axis_interval_to_point(low.x, high.x, end[0]),
+                                          axis_interval_to_point(low.y, high.y, end[1]),
+                                          axis_interval_to_point(low.z, high.z, end[2])},
+                                 .limit = limit,
+                                 .has_region = limit <= 1};
+    for (int axis = 0; axis < 3; axis++) {
+        const AxisInterval *interval = &intervals.axis[axis];
+        scalar lowest = interval->origin_low < end[axis] ? interval->origin_low : end[axis];
+        scalar highest = interval->origin_high > end[axis] ? interval->origin_high : end[axis];
+        scalar slack = SLAB_SLACK * (highest - lowest);
+        intervals.region.low[axis] = lowest - slack;
+        intervals.region.high[axis] = highest + slack;
+    }
+    return intervals;
 }
 
 PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point) {
@@ -152,10 +164,11 @@ PacketIntervals beam_intervals(const Beam *beam) {
     scalar shortest = middle - width - slack;
     const scalar length[2] = {shortest > 0 ? shortest : 0, middle + width + slack};
     return (PacketIntervals){
-        {beam_axis_interval(o->x, a->x, scalar_abs(r->x) + scalar_abs(u->x) + slack, length),
-         beam_axis_interval(o->y, a->y, scalar_abs(r->y) + scalar_abs(u->y) + slack, length),
-         beam_axis_interval(o->z, a->z, scalar_abs(r->z) + scalar_abs(u->z) + slack, length)},
-        INFINITE};
+        .axis =
+            {beam_axis_interval(o->x, a->x, scalar_abs(r->x) + scalar_abs(u->x) + slack, length),
+             beam_axis_interval(o->y, a->y, scalar_abs(r->y) + scalar_abs(u->y) + slack, length),
+             beam_axis_interval(o->z, a->z, scalar_abs(r->z) + scalar_abs(u->z) + slack, length)},
+        .limit = INFINITE};
 }
 
 /** Clips the interval of distances in which any ray can be between two planes, for rays whose
@@ -179,6 +192,16 @@ static AxisInterval axis_interval_negated(const AxisInterval *interval) {
                           -interval->inverse_low};
 }
 
+/** @return The boxes that meet the region of rays. */
+static mask boxes_meet_region(const Aabb *boxes, const Aabbs *region) {
+    mask meets = mask_of(true);
+    for (int axis = 0; axis < 3; axis++) {
+        meets &= (boxes->planes[axis] <= real_of(region->high[axis])) &
+                 (boxes->planes[axis + 3] >= real_of(region->low[axis]));
+    }
+    return meets;
+}
+
 mask packet_intervals_may_hit(const PacketIntervals *intervals, const Aabb *boxes, real *nearest) {
     real near = real_of(0), far = real_of(intervals->limit);
     for (int axis = 0; axis < 3; axis++) {
@@ -193,5 +216,6 @@ mask packet_intervals_may_hit(const PacketIntervals *intervals, const Aabb *boxe
         }
     }
     *nearest = near * (1 - SLAB_SLACK);
-    return *nearest <= far * (1 + SLAB_SLACK);
+    mask may_hit = *nearest <= far * (1 + SLAB_SLACK);
+    return intervals->has_region ? may_hit & boxes_meet_region(boxes, &intervals->region) : may_hit;
 }

@@ -109,6 +109,9 @@ typedef struct AxisInterval {
 typedef struct PacketIntervals {
     AxisInterval axis[3]; /**< Along x, y and z. */
     scalar limit;         /**< The largest limit. */
+    bool has_region;      /**< Whether there is a #region: rays to a point have one. */
+    Aabbs region; /**< A box that contains all rays from their origins to their limits; larger
+                       by what distances may be wrong by. */
 } PacketIntervals;
 
 /** Replaces the colours and losses of some rays. @param lanes Those. */
@@ -147,7 +150,8 @@ PacketIntervals packet_intervals(const Packet *packet);
 /** @return The intervals of a packet whose rays all end at one point, with at least one active ray.
  *          Only their origins and limits are read: the direction and its inverse are monotonic in
  *          them, also as they are rounded, so the intervals are those of packet_intervals(). An
- *          axis along which rays go both ways clips nothing. */
+ *          axis along which rays go both ways clips nothing; but up to limits of 1, all rays lie
+ *          between their origins and the point, in a region. */
 PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *point);
 
 /** @return The same. @param low, high Least and greatest origins, per lane. @param limit The

@@ -109,7 +109,7 @@ static void march_queue_push(MarchQueue *queue, const SphereTrace *trace, unsign
     trace->name.z = wide_load(&(*wides++)[count]);
 
 /** Takes up to LANES rays. @param is_repeated Whether the field has a grid. */
-static void march_queue_pop(MarchQueue *queue, SphereTrace *trace, bool is_repeated) {
+INLINE void march_queue_pop(MarchQueue *queue, SphereTrace *trace, bool is_repeated) {
     const unsigned taken = queue->count < LANES ? queue->count : LANES,
                    count = queue->count - taken;
     scalar(*column)[MARCH_QUEUE_ROOMS] = queue->columns;
@@ -139,7 +139,7 @@ static void march_queue_pop(MarchQueue *queue, SphereTrace *trace, bool is_repea
 
 /** Writes the results of rays that have arrived to the vectors that they come from. @param traces
  *  Those of the packet. */
-static void march_results_write(const SphereTrace *trace, SphereTrace *traces, bool is_repeated) {
+INLINE void march_results_write(const SphereTrace *trace, SphereTrace *traces, bool is_repeated) {
     for (unsigned bits = mask_bits(trace->arrived); bits; bits &= bits - 1) {
         int from = __builtin_ctz(bits), ray = integer_at(&trace->ray, from), to = ray % LANES;
         SphereTrace *home = &traces[ray / LANES];

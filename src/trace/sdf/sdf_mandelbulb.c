@@ -4,6 +4,8 @@
  */
 #include "trace/sdf/sdf_vm.h"
 
+#include <string.h>
+
 /** LANES complex numbers. */
 typedef struct Complex {
     real re; /**< Real part. */
@@ -53,23 +55,42 @@ INLINE real real_integer_power(real r, int n) {
 /** Number of terms of the series for the logarithm. */
 enum { LN_SERIES_TERMS = REAL_BITS == 32 ? 5 : REAL_BITS == 64 ? 10 : 22 };
 
+/** Divides numbers by powers of two, so that they are 1 to 2. @param[in,out] x Numbers, 2^-64 to
+ *  2^127. @return The logarithms of the powers to the base 2. */
+INLINE real real_split_power(real *x) {
+#if LANES > 1
+    // The exponent lies above the fraction. Shifted, it is a number; that of 1 takes its place.
+    const int shift = REAL_BITS == 32 ? 23 : 52, exponent_of_one = REAL_BITS == 32 ? 127 : 1023;
+    integer bits;
+    memcpy(&bits, x, sizeof bits);
+    const integer exponent = (bits >> shift) - integer_of(exponent_of_one);
+    bits -= exponent << shift;
+    memcpy(x, &bits, sizeof bits);
+    return __builtin_convertvector(exponent, real);
+#else
+    const real one = real_of(1), zero = real_of(0);
+    mask is_small = *x < one;
+    real exponent = real_select(is_small, real_of(-64), zero);
+    *x = real_select(is_small, *x * (scalar)0x1p64f, *x);
+    for (int bit = 64; bit > 0; bit /= 2) {
+        const scalar root = (scalar)(1ull << bit / 2), power = bit > 1 ? root * root : 2;
+        mask has = *x >= real_of(power);
+        *x = real_select(has, *x * (1 / power), *x);
+        exponent = real_select(has, exponent + (scalar)bit, exponent);
+    }
+    return exponent;
+#endif
+}
+
 /** @return The natural logarithms. After division by a power of two x is near 1, and the logarithm
  * is 2 (y + y^3/3 + y^5/5 + ...) with y = (x - 1) / (x + 1). @param x Numbers, 2^-64 to 2^127. */
 INLINE real real_ln(real x) {
-    const real one = real_of(1), zero = real_of(0);
-    mask is_small = x < one;
-    real exponent = real_select(is_small, real_of(-64), zero);
-    x = real_select(is_small, x * (scalar)0x1p64f, x);
-    for (int bit = 64; bit > 0; bit /= 2) {
-        const scalar root = (scalar)(1ull << bit / 2), power = bit > 1 ? root * root : 2;
-        mask has = x >= real_of(power);
-        x = real_select(has, x * (1 / power), x);
-        exponent = real_select(has, exponent + (scalar)bit, exponent);
-    }
+    const real one = real_of(1);
+    real exponent = real_split_power(&x), sum = real_of(0);
     mask is_above = x > real_of(SQRT_OF_2);
     x = real_select(is_above, x * (scalar)0.5f, x);
     exponent = real_select(is_above, exponent + one, exponent);
-    real y = (x - one) / (x + one), square = y * y, sum = zero;
+    real y = (x - one) / (x + one), square = y * y;
     for (int k = LN_SERIES_TERMS; k >= 0; k--) {
         sum = 1 / real_of((scalar)(2 * k + 1)) + square * sum;
     }
@@ -105,41 +126,73 @@ INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask it
     orbit->potential = real_select(iterating, orbit->potential * (scalar)n, orbit->potential);
 }
 
-/** @return The bound of the distance to a Mandelbulb. */
-INLINE real mandelbulb_distance(Vec3 p, const scalar *operands, mask active) {
+/** @return The bound of the distance that an orbit gives. @param length Distances of its first
+ *  points from the origin. */
+INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
+                                      const scalar *operands) {
+    real radius = real_max(orbit->radius, real_of((scalar)0x1p-60f));
+    real above = real_ln(real_min(radius, real_of((scalar)0x1p100f))) - orbit->potential;
+    real estimate = operands[3] * above * radius / orbit->derivative;
+    return real_max(estimate, length - operands[2]);
+}
+
+/** Points at which a gradient needs the distance: a step forwards and one backwards per axis. */
+enum { GRADIENT_POINTS = 6 };
+
+/** Finds the bounds of the distances of some vectors of points. Each iteration waits for two roots
+ *  and a quotient: those of other vectors are computed meanwhile. @param active Lanes that count.
+ *  @param count Number of vectors, up to #GRADIENT_POINTS; a constant. */
+INLINE void mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                                 int count, real *distances) {
     const int n = (int)operands[0], iterations = (int)operands[1];
     const real escape = real_of(operands[4]);
-    real length = real_sqrt(vec3_dot(p, p));
-    MandelbulbOrbit orbit = {p, length, real_of(1), real_of(operands[5])};
-    mask iterating = active & (length < escape);
-    for (int i = 1; i < iterations && any(iterating); i++) {
-        mandelbulb_orbit_step(&orbit, p, n, iterating);
-        iterating = iterating & (orbit.radius < escape);
+    MandelbulbOrbit orbits[GRADIENT_POINTS];
+    real lengths[GRADIENT_POINTS];
+    mask iterating[GRADIENT_POINTS], any_iterating = mask_of(false);
+    for (int v = 0; v < count; v++) {
+        lengths[v] = real_sqrt(vec3_dot(points[v], points[v]));
+        orbits[v] = (MandelbulbOrbit){points[v], lengths[v], real_of(1), real_of(operands[5])};
+        iterating[v] = active[v] & (lengths[v] < escape);
+        any_iterating |= iterating[v];
     }
-    real radius = real_max(orbit.radius, real_of((scalar)0x1p-60f));
-    real above = real_ln(real_min(radius, real_of((scalar)0x1p100f))) - orbit.potential;
-    real estimate = operands[3] * above * radius / orbit.derivative;
-    return real_max(estimate, length - operands[2]);
+    for (int i = 1; i < iterations && any(any_iterating); i++) {
+        any_iterating = mask_of(false);
+        for (int v = 0; v < count; v++) {
+            mandelbulb_orbit_step(&orbits[v], points[v], n, iterating[v]);
+            iterating[v] = iterating[v] & (orbits[v].radius < escape);
+            any_iterating |= iterating[v];
+        }
+    }
+    for (int v = 0; v < count; v++) {
+        distances[v] = mandelbulb_orbit_distance(&orbits[v], lengths[v], operands);
+    }
 }
 
 /** Step of the central differences for the gradient: the fractal has details of every size, and the
  *  shading smooths smaller ones than this. */
 #define MANDELBULB_GRADIENT_STEP ((scalar)0x1p-11f)
 
-/** @return The difference of the distances one step forwards and one step backwards. */
-INLINE real mandelbulb_central_difference(const SdfVm *vm, Vec3 step, const scalar *operands) {
-    return mandelbulb_distance(vec3_add(vm->point, step), operands, vm->active) -
-           mandelbulb_distance(vec3_subtract(vm->point, step), operands, vm->active);
+/** @return The gradient at points, by central differences. @param active Lanes that count. */
+INLINE Vec3 mandelbulb_gradient(const scalar *operands, Vec3 p, mask active) {
+    const real h = real_of(MANDELBULB_GRADIENT_STEP);
+    const Vec3 points[GRADIENT_POINTS] = {{p.x + h, p.y, p.z}, {p.x - h, p.y, p.z},
+                                          {p.x, p.y + h, p.z}, {p.x, p.y - h, p.z},
+                                          {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
+    const mask all[GRADIENT_POINTS] = {active, active, active, active, active, active};
+    real d[GRADIENT_POINTS];
+    mandelbulb_distances(operands, points, all, GRADIENT_POINTS, d);
+    return vec3_scale((Vec3){d[0] - d[1], d[2] - d[3], d[4] - d[5]}, 1 / (2 * h));
 }
 
 void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
-    vm->sample.distance = mandelbulb_distance(vm->point, operands, vm->active);
+    mandelbulb_distances(operands, &vm->point, &vm->active, 1, &vm->sample.distance);
     if (vm->wants_gradient) {
-        const real h = real_of(MANDELBULB_GRADIENT_STEP), zero = real_of(0);
-        Vec3 difference = {mandelbulb_central_difference(vm, (Vec3){h, zero, zero}, operands),
-                           mandelbulb_central_difference(vm, (Vec3){zero, h, zero}, operands),
-                           mandelbulb_central_difference(vm, (Vec3){zero, zero, h}, operands)};
-        vm->sample.gradient = vec3_scale(difference, 1 / (2 * h));
+        vm->sample.gradient = mandelbulb_gradient(operands, vm->point, vm->active);
     }
+}
+
+void sdf_mandelbulb_distances(const SdfInstruction *instruction, const Vec3 *points,
+                              const mask *active, real *distances) {
+    mandelbulb_distances(instruction->operands, points, active, SDF_VECTORS, distances);
 }

@@ -284,7 +284,7 @@ INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace,
 /** Ends rays: those that came near enough have a hit, the others none. @param exhausted Those that
  *  have reached the step limit, in a box or in search of one. @return Number of those without hit.
  */
-static unsigned sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace,
+INLINE unsigned sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace,
                                      mask exhausted) {
     Vec3 point = sphere_trace_point(trace, trace->best_t);
     real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
@@ -297,12 +297,15 @@ static unsigned sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *tr
     return mask_count(exhausted & mask_not(is_near));
 }
 
-/** Makes one step. */
-INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
+/** Begins a step. @return The points at which it needs the distance. */
+INLINE Vec3 sphere_trace_step_points(SphereTrace *trace) {
     trace->steps = real_select(trace->stepping, trace->steps + 1, trace->steps);
-    Vec3 point = sphere_trace_point(trace, trace->t);
-    real distance =
-        sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
+    return sphere_trace_point(trace, trace->t);
+}
+
+/** Makes the rest of a step. @param distance Distances of the field at the points. */
+INLINE void sphere_trace_step_on(const SphereTracer *tracer, SphereTrace *trace, Vec3 point,
+                                 real distance) {
     real tolerance = sphere_trace_tolerance(tracer, trace, trace->t, point);
     mask left_box =
         sphere_trace_advance(tracer, trace, sphere_trace_evaluate(trace, distance, tolerance));
@@ -310,6 +313,14 @@ INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     if (tracer->grid.is_repeated) {
         trace->seeking = trace->seeking | left_box;
     }
+}
+
+/** Makes one step. */
+INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
+    Vec3 point = sphere_trace_step_points(trace);
+    real distance =
+        sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
+    sphere_trace_step_on(tracer, trace, point, distance);
 }
 
 /** Does what most rays need next: a step, the search of a cell or the entry into a box. The path of
@@ -329,6 +340,12 @@ INLINE mask sphere_trace_unfinished(const SphereTrace *trace) {
     return trace->stepping | trace->seeking | trace->entering;
 }
 
+/** Ends the rays that have reached the step limit. @return Number of those without hit. */
+INLINE unsigned sphere_trace_end_exhausted(const SphereTracer *tracer, SphereTrace *trace) {
+    mask exhausted = sphere_trace_at_limit(tracer, trace) & (trace->stepping | trace->seeking);
+    return any(exhausted) ? sphere_trace_give_up(tracer, trace, exhausted) : 0;
+}
+
 /** Makes the next step of rays, and ends those that have reached the step limit. @param[in,out]
  *  trace The rays, at least one unfinished. @return Number of rays that ended there without hit. */
 static unsigned sphere_trace_continue(const SphereTracer *tracer, SphereTrace *trace) {
@@ -337,8 +354,7 @@ static unsigned sphere_trace_continue(const SphereTracer *tracer, SphereTrace *t
     } else {
         sphere_trace_step(tracer, trace);
     }
-    mask exhausted = sphere_trace_at_limit(tracer, trace) & (trace->stepping | trace->seeking);
-    return any(exhausted) ? sphere_trace_give_up(tracer, trace, exhausted) : 0;
+    return sphere_trace_end_exhausted(tracer, trace);
 }
 
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
@@ -356,12 +372,9 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
 
 #if LANES > 1
 
-enum {
-    MARCH_VECTORS = 2, /**< Vectors that step in turn: the processor begins the step of one before
-                          that of the other ends. */
-    MARCH_FREE_LANES = LANES / 2 /**< Finished rays of a vector from which on others take their
-                                      places: a quarter or three quarters were slower (measured). */
-};
+/** Finished rays of a vector from which on others take their places: a quarter or three quarters
+ *  were slower (measured). */
+enum { MARCH_FREE_LANES = LANES / 2 };
 
 /** The rays of a packet while they are traced. */
 typedef struct MarchPacket {
@@ -376,7 +389,7 @@ typedef struct MarchPacket {
 } MarchPacket;
 
 /** Begins vectors of rays until there are enough for a whole one. */
-static void march_packet_begin_vectors(MarchPacket *march) {
+INLINE void march_packet_begin_vectors(MarchPacket *march) {
     while (march->queue.count < LANES && march->begun < PACKET_VECTORS) {
         int v = march->begun++;
         SphereTrace *trace = &march->traces[v];
@@ -393,7 +406,7 @@ static void march_packet_begin_vectors(MarchPacket *march) {
 
 /** Fills the lanes of finished rays, if enough of them are. @return Whether there is an unfinished
  *  ray. */
-static bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
+INLINE bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
     const bool is_repeated = march->tracer->grid.is_repeated;
     unsigned bits = mask_bits(sphere_trace_unfinished(trace));
     if (__builtin_popcount(bits) > LANES - MARCH_FREE_LANES) {
@@ -410,6 +423,52 @@ static bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
     return true;
 }
 
+/** Hands the hits of a vector over. */
+INLINE void march_packet_finish(MarchPacket *march, SphereTrace *trace) {
+    if (any(trace->arrived)) {
+        march_results_write(trace, march->traces, march->tracer->grid.is_repeated);
+        trace->arrived = mask_of(false);
+    }
+}
+
+/** Makes all steps of two vectors, each in turn. */
+INLINE void march_packet_run_in_turn(MarchPacket *march, SphereTrace *vectors) {
+    const SphereTracer *tracer = march->tracer;
+    bool is_unfinished = true;
+    while (is_unfinished) {
+        is_unfinished = false;
+        for (SphereTrace *trace = vectors; trace < vectors + SDF_VECTORS; trace++) {
+            if (march_packet_fill(march, trace)) {
+                is_unfinished = true;
+                step_limit_counter_add(tracer->step_limit_counter,
+                                       sphere_trace_continue(tracer, trace));
+                march_packet_finish(march, trace);
+            }
+        }
+    }
+}
+
+/** Makes all steps of two vectors together, in a field without grid that prefers it. */
+static __attribute__((noinline)) void march_packet_run_together(MarchPacket *march, SphereTrace *vectors) {
+    const SphereTracer *tracer = march->tracer;
+    while (march_packet_fill(march, &vectors[0]) | march_packet_fill(march, &vectors[1])) {
+        Vec3 points[SDF_VECTORS];
+        mask active[SDF_VECTORS];
+        real distances[SDF_VECTORS];
+        for (int v = 0; v < SDF_VECTORS; v++) {
+            points[v] = sphere_trace_step_points(&vectors[v]);
+            active[v] = vectors[v].stepping;
+        }
+        sdf_mandelbulb_distances(tracer->program, points, active, distances);
+        for (int v = 0; v < SDF_VECTORS; v++) {
+            sphere_trace_step_on(tracer, &vectors[v], points[v], distances[v]);
+            step_limit_counter_add(tracer->step_limit_counter,
+                                   sphere_trace_end_exhausted(tracer, &vectors[v]));
+            march_packet_finish(march, &vectors[v]);
+        }
+    }
+}
+
 void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, const mask *active,
                              const real *limits, bool is_shadow, SphereTrace *traces) {
     MarchPacket march; // An initializer would clear 20 KB of columns.
@@ -421,27 +480,17 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
     march.traces = traces;
     march.begun = 0;
     march.queue.count = 0;
-    SphereTrace vectors[MARCH_VECTORS];
-    for (int i = 0; i < MARCH_VECTORS; i++) {
-        sphere_trace_set_spread(tracer, &vectors[i], is_shadow);
-        vectors[i].stepping = vectors[i].seeking = vectors[i].entering = vectors[i].arrived =
+    SphereTrace vectors[SDF_VECTORS];
+    for (int v = 0; v < SDF_VECTORS; v++) {
+        sphere_trace_set_spread(tracer, &vectors[v], is_shadow);
+        vectors[v].stepping = vectors[v].seeking = vectors[v].entering = vectors[v].arrived =
             mask_of(false);
     }
-    bool is_unfinished = true;
-    while (is_unfinished) {
-        is_unfinished = false;
-        for (SphereTrace *trace = vectors; trace < vectors + MARCH_VECTORS; trace++) {
-            if (!march_packet_fill(&march, trace)) {
-                continue;
-            }
-            is_unfinished = true;
-            step_limit_counter_add(tracer->step_limit_counter,
-                                   sphere_trace_continue(tracer, trace));
-            if (any(trace->arrived)) {
-                march_results_write(trace, traces, tracer->grid.is_repeated);
-                trace->arrived = mask_of(false);
-            }
-        }
+    if (!tracer->grid.is_repeated &&
+        sdf_prefers_vectors(tracer->program, tracer->instruction_count)) {
+        march_packet_run_together(&march, vectors);
+    } else {
+        march_packet_run_in_turn(&march, vectors);
     }
 }
 

@@ -60,6 +60,39 @@ static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius)
     return out;
 }
 
+/** Number of solids in the fields of tests; half their edges; the distance between two of them. */
+enum { MANY_SOLIDS = 40 };
+#define MANY_SOLIDS_HALF 0.25
+#define MANY_SOLIDS_STEP 0.75
+
+/** @return The centre of a solid: rows of seven, on floors of seven rows. */
+static inline Vec3d many_solids_place(int i) {
+    // Not one after the other: the first of equally near ones may come late.
+    int n = i * 29 % 343;
+    return (Vec3d){MANY_SOLIDS_STEP * (n % 7 - 3), MANY_SOLIDS_STEP * (n / 7 % 7 - 3),
+                   MANY_SOLIDS_STEP * (n / 49 % 7 - 3)};
+}
+
+/** @return A union of boxes and balls in turn; from 343 on they stand where others do. */
+static inline Sdf *many_solids(int count) {
+    Error error = {0};
+    const double edges[3] = {2 * MANY_SOLIDS_HALF, 2 * MANY_SOLIDS_HALF, 2 * MANY_SOLIDS_HALF};
+    const double radius = MANY_SOLIDS_HALF;
+    const Sdf **parts = calloc((size_t)count, sizeof *parts);
+    for (int i = 0; i < count; i++) {
+        Vec3d at = many_solids_place(i);
+        Sdf *solid = i % 2 ? make_sdf("sphere", &radius) : make_sdf("box", edges);
+        parts[i] = translate_sdf(solid, at.x, at.y, at.z);
+    }
+    Sdf *out = allocate_sdf(sdf_combined_capacity(parts, count));
+    assert_true(sdf_combine(out, SDF_COMBINE_UNION, parts, count, 0, &error));
+    for (int i = 0; i < count; i++) {
+        free((void *)parts[i]);
+    }
+    free(parts);
+    return out;
+}
+
 /** @return A repeated field. */
 static inline Sdf *repeat_sdf(Sdf *field, SdfRepetition repeat) {
     Error error = {0};

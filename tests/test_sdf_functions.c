@@ -7,10 +7,7 @@
  */
 #define REAL_BITS 64
 #define LANES 1
-#include "../src/trace/sdf/sdf_mandelbulb.c"
-#include "../src/trace/sdf/sdf_solids.c"
-#include "../src/trace/sdf/sdf_tape.c"
-#include "../src/trace/sdf/sdf_vm.c"
+#include "sdf_compiled.h"
 
 #include "sdf_builders.h"
 
@@ -21,10 +18,10 @@ enum { POINTS = 100000 / WORKLOAD_DIVISOR };
 
 /** A field under test. */
 typedef struct SdfCase {
-    const char *name;      /**< Its name. */
-    Sdf *field;            /**< The field; owned. */
-    SdfInstruction *codes; /**< Its program; owned. */
-    double size;           /**< Half the side of the cube of test points. */
+    const char *name;     /**< Its name. */
+    Sdf *field;           /**< The field; owned. */
+    CompiledSdf compiled; /**< Its program; owned. */
+    double size;          /**< Half the side of the cube of test points. */
     /** @return The reference distance of a point outside; NULL: the field is only a bound. */
     double (*truth)(Vec3d p);
 } SdfCase;
@@ -86,6 +83,19 @@ static double box_grid_distance(Vec3d p) {
     return minimum;
 }
 
+/** @return See #SdfCase.truth: the solids of #many_solids. */
+static double many_solids_distance(Vec3d p) {
+    double minimum = HUGE_VAL;
+    for (int i = 0; i < MANY_SOLIDS; i++) {
+        Vec3d from = vec3d_subtract(p, many_solids_place(i));
+        const Vec3d half = {MANY_SOLIDS_HALF, MANY_SOLIDS_HALF, MANY_SOLIDS_HALF};
+        double ball = fmax(vec3d_length(from) - MANY_SOLIDS_HALF, 0);
+        double box = box_distance(from, vec3d_scale(half, -1), half);
+        minimum = fmin(minimum, i % 2 ? ball : box);
+    }
+    return minimum;
+}
+
 /** @return See #SdfCase.truth: spheres of radius 0.75 in unit cells, five by four by one. */
 static double ball_grid_distance(Vec3d p) {
     double minimum = HUGE_VAL;
@@ -127,9 +137,7 @@ static size_t subject_count;
  */
 static void add_sdf_case(const char *name, Sdf *field, double size, double (*truth)(Vec3d)) {
     SdfCase *subject = &subjects[subject_count++];
-    *subject = (SdfCase){name, field, calloc((size_t)field->node_count, sizeof(SdfInstruction)),
-                         size, truth};
-    sdf_compile(subject->codes, field);
+    *subject = (SdfCase){name, field, compile_sdf(field), size, truth};
     assert_int_equal(field->is_exact, truth != NULL);
 }
 
@@ -164,6 +172,7 @@ static int create_sdfs(void **state) {
                  join_sdfs(SDF_COMBINE_DIFFERENCE, make_sdf("box", box),
                            repeat_sdf(small_box(), (SdfRepetition){{1, 1, 0}, {0, 3, 0}}), 0),
                  3, NULL);
+    add_sdf_case("many solids", many_solids(MANY_SOLIDS), 4, many_solids_distance);
     add_sdf_case("rounded sponge",
                  round_sdf(transform_sdf(make_sdf("menger", NULL), leaning), 0.05), 3, NULL);
     return 0;
@@ -174,14 +183,14 @@ static int destroy_sdfs(void **state) {
     (void)state;
     for (size_t i = 0; i < subject_count; i++) {
         free(subjects[i].field);
-        free(subjects[i].codes);
+        free(subjects[i].compiled.memory);
     }
     return 0;
 }
 
 /** @return The value of a field at a point. */
 static double sdf_value(const SdfCase *subject, Vec3d p) {
-    return sdf_distance(subject->codes, subject->field->node_count, vec3_of(p), 1);
+    return sdf_distance(&subject->compiled.program, vec3_of(p), 1);
 }
 
 /** @return A random point in a cube around the origin. */
@@ -298,7 +307,7 @@ static void test_gradients(void **state) {
         int wrong = 0;
         for (int n = 0; n < POINTS / 10; n++) {
             Vec3d p = random_point(&seed, subject->size);
-            SdfSample here = sdf_sample(subject->codes, subject->field->node_count, vec3_of(p), 1);
+            SdfSample here = sdf_sample(&subject->compiled.program, vec3_of(p), 1);
             assert_true(here.distance == sdf_value(subject, p));
             const double carried[3] = {here.gradient.x, here.gradient.y, here.gradient.z};
             for (int axis = 0; axis < 3; axis++) {
@@ -359,12 +368,51 @@ static void test_overlap(void **state) {
 }
 
 /** Runs the tests. @return 0 if all pass. */
+/** Executes the parts of a run of unions in their order. See #SdfInstruction.execute. */
+static void run_in_order(SdfVm *vm, const SdfInstruction *run) {
+    sdf_vm_run(vm, run + 1, run->body_count);
+}
+
+/** A run of unions gives the bits of its parts in their order, the gradient of the first of those
+ * that are equally near too; so does a run that is longer than the longest, and one in a body. */
+static void test_union_runs(void **state) {
+    (void)state;
+    const int counts[] = {9, 10, MANY_SOLIDS, 2 * SDF_UNION_RUN_PARTS + 20};
+    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
+        Sdf *field = many_solids(counts[k]);
+        field = k % 2 ? round_sdf(transform_sdf(field, leaning), 0.05) : field;
+        CompiledSdf runs = compile_sdf(field), in_order = compile_sdf(field);
+        int found = 0;
+        for (int i = 0; i < in_order.program.count; i++) {
+            SdfInstruction *instruction = &in_order.program.instructions[i];
+            found += instruction->execute == sdf_op_union_run;
+            instruction->execute =
+                instruction->execute == sdf_op_union_run ? run_in_order : instruction->execute;
+        }
+        assert_int_equal(found, counts[k] > SDF_UNION_RUN_PARTS ? 3 : 1);
+        uint64_t seed = 7;
+        for (int n = 0; n < POINTS / 4; n++) {
+            Vec3d p = random_point(&seed, 4);
+            // Every second point is as far from two solids.
+            p.x = n % 2 ? 0.5 * MANY_SOLIDS_STEP * round(p.x) : p.x;
+            double distance = sdf_distance(&runs.program, vec3_of(p), 1);
+            SdfSample fast = sdf_sample(&runs.program, vec3_of(p), 1);
+            SdfSample slow = sdf_sample(&in_order.program, vec3_of(p), 1);
+            assert_true(distance == slow.distance);
+            assert_memory_equal(&fast, &slow, sizeof fast);
+        }
+        free(runs.memory);
+        free(in_order.memory);
+        free(field);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lipschitz), cmocka_unit_test(test_mandelbulb),
-        cmocka_unit_test(test_distances), cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_gradients), cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_lipschitz),  cmocka_unit_test(test_union_runs),
+        cmocka_unit_test(test_mandelbulb), cmocka_unit_test(test_distances),
+        cmocka_unit_test(test_boxes),      cmocka_unit_test(test_gradients),
+        cmocka_unit_test(test_limits),     cmocka_unit_test(test_overlap),
     };
     return cmocka_run_group_tests_name("fields", tests, create_sdfs, destroy_sdfs);
 }

@@ -7,10 +7,7 @@
  */
 #define REAL_BITS 64
 #define LANES 1
-#include "../src/trace/sdf/sdf_mandelbulb.c"
-#include "../src/trace/sdf/sdf_solids.c"
-#include "../src/trace/sdf/sdf_tape.c"
-#include "../src/trace/sdf/sdf_vm.c"
+#include "sdf_compiled.h"
 
 #include "fixtures.h"
 
@@ -167,7 +164,6 @@ static void test_values(void **state) {
     for (int i = 0; i < CASES; i++) {
         Scene *scene = load_field(state, cases[i].text);
         const Sdf *field = field_of(scene);
-        SdfInstruction *program = calloc((size_t)field->node_count, sizeof *program);
         lua_State *L = plain_lua(&cases[i]);
         uint64_t seed = 1;
         double worst = 0, factor = field->nodes[0].operands[SDF_TAPE_FACTOR];
@@ -175,11 +171,11 @@ static void test_values(void **state) {
         Sdf *plain = calloc(1, sdf_size(field->node_count));
         memcpy(plain, field, sdf_size(field->node_count));
         plain->nodes[0].operands[SDF_TAPE_CLAMPS] = 0;
-        sdf_compile(program, plain);
+        CompiledSdf compiled = compile_sdf(plain);
         for (int n = 0; n < POINTS; n++) {
             Vec3d p = random_point(&seed);
             double wanted = lua_value(L, p) * factor, size = fmax(vec3d_max_abs(p), 1);
-            double value = sdf_distance(program, field->node_count, vec3_of(p), 1);
+            double value = sdf_distance(&compiled.program, vec3_of(p), 1);
             worst = fmax(worst, fabs(value - wanted) / (size * 0x1p-52));
         }
         printf("  %-22s %3d operations, %g ulps from Lua\n", cases[i].name, field->node_count - 1,
@@ -187,7 +183,7 @@ static void test_values(void **state) {
         assert_at_most(worst, cases[i].ulps, "%s, ulps", cases[i].name);
         lua_close(L);
         free(plain);
-        free(program);
+        free(compiled.memory);
         scene_destroy(scene);
     }
 }
@@ -198,31 +194,28 @@ static void test_gradients(void **state) {
     for (int i = 0; i < CASES; i++) {
         Scene *scene = load_field(state, cases[i].text);
         const Sdf *field = field_of(scene);
-        SdfInstruction *program = calloc((size_t)field->node_count, sizeof *program);
-        sdf_compile(program, field);
+        CompiledSdf compiled = compile_sdf(field);
         uint64_t seed = 1;
         int wrong = 0;
         for (int n = 0; n < POINTS / 10; n++) {
             Vec3d p = random_point(&seed);
-            SdfSample here = sdf_sample(program, field->node_count, vec3_of(p), 1);
-            assert_true(here.distance == sdf_distance(program, field->node_count, vec3_of(p), 1));
+            SdfSample here = sdf_sample(&compiled.program, vec3_of(p), 1);
+            assert_true(here.distance == sdf_distance(&compiled.program, vec3_of(p), 1));
             bool is_outside =
                 vec3d_max_abs(vec3d_subtract(p, vec3d_min(vec3d_max(p, field->low), field->high))) >
                 0;
             const double carried[3] = {here.gradient.x, here.gradient.y, here.gradient.z};
             for (int axis = 0; axis < 3 && !is_outside; axis++) {
                 Vec3d step = {axis == 0 ? h : 0, axis == 1 ? h : 0, axis == 2 ? h : 0};
-                double up =
-                    sdf_distance(program, field->node_count, vec3_of(vec3d_add(p, step)), 1);
-                double down =
-                    sdf_distance(program, field->node_count, vec3_of(vec3d_subtract(p, step)), 1);
+                double up = sdf_distance(&compiled.program, vec3_of(vec3d_add(p, step)), 1);
+                double down = sdf_distance(&compiled.program, vec3_of(vec3d_subtract(p, step)), 1);
                 wrong += !(fabs((up - down) / (2 * h) - carried[axis]) < 1e-4);
             }
         }
         // An edge may lie between the two points of a difference.
         printf("  %-22s gradients unlike differences: %g\n", cases[i].name, wrong / (0.3 * POINTS));
         assert_at_most(wrong / (0.3 * POINTS), 2e-3, "%s, gradients", cases[i].name);
-        free(program);
+        free(compiled.memory);
         scene_destroy(scene);
     }
 }

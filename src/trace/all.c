@@ -62,8 +62,10 @@
 #include "trace/mesh/mesh_bvh_intersect.c"
 // Signed distance fields.
 #include "trace/sdf/sdf_mandelbulb.c"
+#include "trace/sdf/sdf_program.c"
 #include "trace/sdf/sdf_solids.c"
 #include "trace/sdf/sdf_tape.c"
+#include "trace/sdf/sdf_union.c"
 #include "trace/sdf/sdf_vm.c"
 #include "trace/sdf/sphere_tracer.c"
 #include "trace/sdf/sphere_tracer_init.c"

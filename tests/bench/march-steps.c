@@ -13,13 +13,10 @@
 #define REAL_BITS 32
 #endif
 #define LANES 1
-#include "../src/trace/sdf/sdf_mandelbulb.c"
-#include "../src/trace/sdf/sdf_solids.c"
-#include "../src/trace/sdf/sdf_tape.c"
-#include "../src/trace/sdf/sdf_vm.c"
 #include "../src/trace/sdf/sphere_tracer.c"
 #include "../src/trace/sdf/sphere_tracer_init.c"
 #include "../src/trace/shapes/aabb.c"
+#include "sdf_compiled.h"
 
 #include "sdf_builders.h"
 
@@ -46,15 +43,15 @@ static void steps_print(const char *way, double relaxation, double degrees) {
     Sdf *ground = translate_sdf(make_sdf("box", (double[]){4096, 16, 4096}), 0, -8, 0);
     Sdf *both = join_sdfs(SDF_COMBINE_UNION, ground,
                           translate_sdf(make_sdf("sphere", NULL), -1900, 1, 0), 0);
-    SdfInstruction *codes = calloc((size_t)both->node_count, sizeof *codes);
+    void *memory = calloc(1, sdf_program_size(both));
     StepLimitCounter step_limit = {0};
-    SphereTracer sphere_tracer = {.program = codes,
-                                  .tolerance = (scalar)eps,
+    SphereTracer sphere_tracer = {.tolerance = (scalar)eps,
                                   .relaxation = (scalar)relaxation,
                                   .max_steps = 1000000,
                                   .step_limit_counter = &step_limit};
     Aabbs box;
-    sphere_tracer_init(&sphere_tracer, both, &box);
+    sphere_tracer_init(&sphere_tracer, both, memory, &box);
+    SdfInstruction *codes = sphere_tracer.program.instructions;
     count_state.run = codes[0].execute;
     count_state.count = 0;
     codes[0].execute = counted_run;
@@ -66,7 +63,7 @@ static void steps_print(const char *way, double relaxation, double degrees) {
     double error = fabs((double)sphere_trace_distance(&march) - truth) * sin(angle) /
                    (double)sphere_tracer.tolerance;
     printf("%s,%g,%d,%.1f,%.3f\n", way, degrees, is_met ? count_state.count : -1, law, error);
-    free(codes);
+    free(memory);
     free(both);
 }
 
@@ -92,22 +89,21 @@ enum { POINTS = 4096, ROUNDS = 50 };
 
 /** A surface. */
 typedef struct SampledSurface {
-    const char *name;      /**< Its name. */
-    SdfInstruction *codes; /**< Its program. */
-    int count;             /**< Number of instructions. */
-    Vec3 at[POINTS];       /**< Points near it, rounded. */
-    double n[POINTS][3];   /**< Exact normals there. */
+    const char *name;    /**< Its name. */
+    SdfProgram program;  /**< Its program. */
+    Vec3 at[POINTS];     /**< Points near it, rounded. */
+    double n[POINTS][3]; /**< Exact normals there. */
 } SampledSurface;
 
 /** @return The value of a field at a point. */
 static real sdf_value(const SampledSurface *s, Vec3 p) {
-    return sdf_distance(s->codes, s->count, p, 1);
+    return sdf_distance(&s->program, p, 1);
 }
 
 /** @return The analytic normal. */
 static Vec3 exact_normal(const SampledSurface *s, Vec3 p, real h) {
     (void)h;
-    return sdf_sample(s->codes, s->count, p, 1).gradient;
+    return sdf_sample(&s->program, p, 1).gradient;
 }
 
 /** @return The normal by central differences: six points. */
@@ -196,9 +192,8 @@ static void place_points(SampledSurface *s, double ring) {
 /** Prints all methods for a field. */
 static void surface_print(const char *name, Sdf *field, double ring) {
     static SampledSurface s;
-    s = (SampledSurface){.name = name, .count = field->node_count};
-    s.codes = calloc((size_t)field->node_count, sizeof *s.codes);
-    sdf_compile(s.codes, field);
+    CompiledSdf compiled = compile_sdf(field);
+    s = (SampledSurface){.name = name, .program = compiled.program};
     place_points(&s, ring);
     normals_print(&s, "exact", exact_normal, 0);
     for (double h = 0.1; h > 5e-7; h /= sqrt(10)) {
@@ -206,7 +201,7 @@ static void surface_print(const char *name, Sdf *field, double ring) {
         normals_print(&s, "forward", forward_normal, h);
         normals_print(&s, "tetrahedron", tetrahedron_normal, h);
     }
-    free(s.codes);
+    free(compiled.memory);
     free(field);
 }
 

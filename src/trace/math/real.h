@@ -298,6 +298,33 @@ INLINE real real_max(real a, real b) {
     return LANES_MAX(a, b);
 }
 
+/** @return The smallest lane, in log2(LANES) steps: each compares one half with the other. */
+INLINE scalar real_reduce_min(real x) {
+#if LANES == 16
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+    x = real_min(
+        x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
+#elif LANES == 8
+    x = real_min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+    x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+    x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+#elif LANES == 4
+    x = real_min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+    x = real_min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2));
+#endif
+    return real_lane(x, 0);
+}
+
+/** @return The largest lane. */
+INLINE scalar real_reduce_max(real x) {
+    return -real_reduce_min(-x);
+}
+
 /** @return The absolute value. */
 INLINE real real_abs(real x) {
 #if LANES > 1

@@ -9,14 +9,25 @@
 #include "trace/math/vec3.h"
 
 typedef struct SdfVm SdfVm;
+typedef struct SdfUnionPack SdfUnionPack;
 
 /** An instruction. */
 typedef struct SdfInstruction {
     /** Executes it. */
     void (*execute)(SdfVm *machine, const struct SdfInstruction *code);
-    int body_count;                /**< Number of following instructions that are its body. */
-    scalar operands[SDF_OPERANDS]; /**< Operands; see #SdfOp. */
+    int body_count; /**< Number of following instructions that are its body. */
+    int pack_count; /**< Number of #packs; only of a run of unions. */
+    union {
+        scalar operands[SDF_OPERANDS]; /**< Operands; see #SdfOp. */
+        const SdfUnionPack *packs;     /**< The boxes of a run of unions; the program's. */
+    };
 } SdfInstruction;
+
+/** A program. */
+typedef struct SdfProgram {
+    SdfInstruction *instructions; /**< Its instructions. */
+    int count;                    /**< Number of them. */
+} SdfProgram;
 
 /** Value of a field at LANES points. */
 typedef struct SdfSample {
@@ -24,7 +35,16 @@ typedef struct SdfSample {
     Vec3 gradient; /**< Gradient, if requested. */
 } SdfSample;
 
-/** Translates a field. @param[out] program One instruction per node. */
-void sdf_compile(SdfInstruction *program, const Sdf *sdf);
+/** @return Bytes that suffice for the program of a field. */
+size_t sdf_program_size(const Sdf *sdf);
+
+/**
+ * Translates nodes of a field.
+ * @param memory  #sdf_program_size bytes, aligned to #SHAPE_ALIGNMENT.
+ * @param nodes   The nodes.
+ * @param count   Number of nodes.
+ * @return The program, in the memory.
+ */
+SdfProgram sdf_compile(void *memory, const SdfNode *nodes, int count);
 
 #endif

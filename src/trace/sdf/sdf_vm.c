@@ -1,16 +1,15 @@
 /**
  * @file
- * @brief The operations of distance fields, and their execution.
+ * @brief Operations on distance fields, but for unions.
  *
  * The result of a lane never depends on other lanes: an instruction skips work only where no lane
  * needs it.
  */
-#include "trace/sdf/sdf_vm.h"
+#include "trace/sdf/sdf_body.h"
 
 /* --- operations on one field ------------------------------------------------------------------ */
 
-/** Moves the surface outwards. See #SdfInstruction.execute. */
-static void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction) {
+void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction) {
     vm->sample.distance = vm->sample.distance - instruction->operands[0];
 }
 
@@ -28,8 +27,7 @@ INLINE Vec3 matrix_columns_apply(const scalar *rows, Vec3 v) {
                   rows[2] * v.x + rows[5] * v.y + rows[8] * v.z};
 }
 
-/** Transforms a field: the inverse transforms the points. See #SdfInstruction.execute. */
-static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
+void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
     const Vec3 outer_point = vm->point;
     const scalar *n = instruction->operands;
     vm->point = matrix_rows_apply(n, vec3_subtract(outer_point, vec3_from_scalars(n + 9)));
@@ -40,20 +38,6 @@ static void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction) {
         vm->sample.gradient =
             vec3_scale(matrix_columns_apply(n, vm->sample.gradient), real_of(n[12]));
     }
-}
-
-/** @return Chebyshev distances of points from a box; negative inside. @param corners Three lowest
- *  coordinates, three highest. */
-INLINE real box_chebyshev_distance(const scalar *corners, Vec3 p) {
-    real x = real_max(corners[0] - p.x, p.x - corners[3]);
-    real y = real_max(corners[1] - p.y, p.y - corners[4]);
-    real z = real_max(corners[2] - p.z, p.z - corners[5]);
-    return real_max(x, real_max(y, z));
-}
-
-/** @return The larger of two lower bounds: the distances of a field and of its box. */
-INLINE real max_with_box_distance(real distance, real box_distance) {
-    return real_select(box_distance > 0, real_max(distance, box_distance), distance);
 }
 
 /** The cells of a repeated field around LANES points, along one axis. */
@@ -104,8 +88,7 @@ INLINE void sdf_vm_run_copy(SdfVm *vm, const SdfInstruction *instruction, SdfSam
     vm->active = all;
 }
 
-/** Repeats a field: the nearest of the copies in the cells around. See #SdfInstruction.execute. */
-static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
+void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
     const Vec3 p = vm->point;
     const real none = real_of(0);
     RepeatCells x = repeat_cells_of(p.x, instruction->operands),
@@ -124,68 +107,6 @@ static void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction) {
 
 /* --- operations on two fields ----------------------------------------------------------------- */
 
-/**
- * Executes a body only where it can change the result.
- * @param[in,out] needed  Lanes where it can; afterwards only active ones.
- * @param box_distance    Distances from its box.
- * @return Whether it was executed.
- */
-INLINE bool sdf_vm_run_body(SdfVm *vm, const SdfInstruction *instruction, mask *needed,
-                            real box_distance, SdfSample *body) {
-    const mask all = vm->active;
-    *needed = *needed & all;
-    if (!any(*needed)) {
-        return false;
-    }
-    vm->active = *needed;
-    sdf_vm_run(vm, instruction + 1, instruction->body_count);
-    vm->active = all;
-    *body = vm->sample;
-    body->distance = max_with_box_distance(body->distance, box_distance);
-    return true;
-}
-
-/** Union: the smaller distance. See #SdfInstruction.execute. */
-static void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction) {
-    SdfSample first = vm->sample, second;
-    real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
-    mask needed = mask_not((box_distance > 0) & (box_distance >= first.distance));
-    if (sdf_vm_run_body(vm, instruction, &needed, box_distance, &second)) {
-        second.distance = real_select(needed, second.distance, first.distance);
-        second = sdf_sample_nearer(first, second, vm->wants_gradient);
-    } else {
-        second = first;
-    }
-    vm->sample = second;
-}
-
-/** Smooth union: the seam is filled. See #SdfInstruction.execute. */
-static void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction) {
-    SdfSample first = vm->sample, second;
-    const real radius = real_of(instruction->operands[6]), zero = real_of(0);
-    real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
-    mask needed = mask_not((box_distance > 0) & (box_distance >= first.distance + radius));
-    if (!sdf_vm_run_body(vm, instruction, &needed, box_distance, &second)) {
-        vm->sample = first;
-        return;
-    }
-    real gap = real_abs(first.distance - second.distance);
-    real blend = real_max(radius - gap, zero) / radius;
-    SdfSample blended = sdf_sample_nearer(first, second, vm->wants_gradient);
-    blended.distance = blended.distance - blend * blend * radius * (scalar)0.25f;
-    if (vm->wants_gradient) {
-        // The gradient of the farther field has half the weight of the blend.
-        mask is_second = second.distance < first.distance;
-        Vec3 far = vec3_select(is_second, first.gradient, second.gradient);
-        Vec3 near = vec3_scale(blended.gradient, 1 - (scalar)0.5f * blend);
-        blended.gradient = vec3_add(near, vec3_scale(far, (scalar)0.5f * blend));
-    }
-    vm->sample.distance = real_select(needed, blended.distance, first.distance);
-    if (vm->wants_gradient) {
-        vm->sample.gradient = vec3_select(needed, blended.gradient, first.gradient);
-    }
-}
-
 /** @return The sample with the larger distance. */
 INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradient) {
     SdfSample farther = {.distance = real_max(b.distance, a.distance)};
@@ -195,15 +116,13 @@ INLINE SdfSample sdf_sample_farther(SdfSample a, SdfSample b, bool wants_gradien
     return farther;
 }
 
-/** Intersection: the larger distance. See #SdfInstruction.execute. */
-static void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction) {
+void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample;
     sdf_vm_run(vm, instruction + 1, instruction->body_count);
     vm->sample = sdf_sample_farther(first, vm->sample, vm->wants_gradient);
 }
 
-/** Difference: intersection with the complement of the body. See #SdfInstruction.execute. */
-static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
+void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
     SdfSample first = vm->sample, second;
     real box_distance = box_chebyshev_distance(instruction->operands, vm->point);
     mask needed = mask_not((box_distance > 0) & (first.distance >= -box_distance));
@@ -214,36 +133,4 @@ static void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction) {
         first = sdf_sample_farther(first, second, vm->wants_gradient);
     }
     vm->sample = first;
-}
-
-/* --- programs --------------------------------------------------------------------------------- */
-
-void sdf_compile(SdfInstruction *program, const Sdf *sdf) {
-    static void (*const handlers[])(SdfVm *, const SdfInstruction *) = {
-        [SDF_SPHERE] = sdf_op_sphere,
-        [SDF_BOX] = sdf_op_box,
-        [SDF_BOX_FRAME] = sdf_op_box_frame,
-        [SDF_TORUS] = sdf_op_torus,
-        [SDF_MENGER] = sdf_op_menger,
-        [SDF_MANDELBULB] = sdf_op_mandelbulb,
-        [SDF_ROUND] = sdf_op_round,
-        [SDF_TRANSFORM] = sdf_op_transform,
-        [SDF_REPEAT] = sdf_op_repeat,
-        [SDF_UNION] = sdf_op_union,
-        [SDF_SMOOTH_UNION] = sdf_op_smooth_union,
-        [SDF_INTERSECTION] = sdf_op_intersection,
-        [SDF_DIFFERENCE] = sdf_op_difference,
-        [SDF_TAPE] = sdf_op_tape};
-    for (int i = 0; i < sdf->node_count; i++) {
-        const SdfNode *node = &sdf->nodes[i];
-        program[i].execute = handlers[node->op];
-        program[i].body_count = node->body_count;
-        for (int n = 0; n < SDF_OPERANDS; n++) {
-            program[i].operands[n] = (scalar)node->operands[n];
-        }
-        if (node->op == SDF_TAPE) {
-            sdf_tape_compile(&program[i + 1], node);
-            i += node->body_count;
-        }
-    }
 }

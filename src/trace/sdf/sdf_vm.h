@@ -28,13 +28,13 @@ INLINE void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
 }
 
 /** @return Distances of points. @param active Lanes that count; other results are undefined. */
-INLINE real sdf_distance(const SdfInstruction *program, int count, Vec3 point, mask active) {
+INLINE real sdf_distance(const SdfProgram *program, Vec3 point, mask active) {
     SdfVm vm; // Without a gradient: this is the hot loop of sphere tracing.
     vm.point = point;
     vm.sample.distance = real_of(0);
     vm.active = active;
     vm.wants_gradient = false;
-    sdf_vm_run(&vm, program, count);
+    sdf_vm_run(&vm, program->instructions, program->count);
     return vm.sample.distance;
 }
 
@@ -44,8 +44,8 @@ enum { SDF_VECTORS = 2 };
 
 /** @return Whether a field is evaluated faster at #SDF_VECTORS vectors of points at once, by
  *          #sdf_mandelbulb_distances. */
-INLINE bool sdf_prefers_vectors(const SdfInstruction *program, int count) {
-    return count == 1 && program->execute == sdf_op_mandelbulb;
+INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
+    return program->count == 1 && program->instructions->execute == sdf_op_mandelbulb;
 }
 
 /** #sdf_distance to a Mandelbulb. @param points Those of #SDF_VECTORS vectors. */
@@ -54,13 +54,13 @@ void sdf_mandelbulb_distances(const SdfInstruction *instruction, const Vec3 *poi
 
 /** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
  *  count; other results are undefined. */
-INLINE SdfSample sdf_sample(const SdfInstruction *program, int count, Vec3 point, mask active) {
+INLINE SdfSample sdf_sample(const SdfProgram *program, Vec3 point, mask active) {
     const real zero = real_of(0);
     SdfVm vm = {.point = point,
                 .sample = {zero, {zero, zero, zero}},
                 .active = active,
                 .wants_gradient = true};
-    sdf_vm_run(&vm, program, count);
+    sdf_vm_run(&vm, program->instructions, program->count);
     return vm.sample;
 }
 
@@ -102,6 +102,31 @@ INLINE SdfSample sdf_sample_nearer(SdfSample a, SdfSample b, bool wants_gradient
     }
     return nearer;
 }
+
+/** Moves the surface outwards. See #SdfInstruction.execute. */
+void sdf_op_round(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Transforms a field: the inverse transforms the points. See #SdfInstruction.execute. */
+void sdf_op_transform(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Repeats a field: the nearest of the copies in the cells around. See #SdfInstruction.execute. */
+void sdf_op_repeat(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Union: the smaller distance. See #SdfInstruction.execute. */
+void sdf_op_union(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Smooth union: the seam is filled. See #SdfInstruction.execute. */
+void sdf_op_smooth_union(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Unions that follow one another: executes those of its body that can change the result. See
+ *  #SdfInstruction.execute. */
+void sdf_op_union_run(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Intersection: the larger distance. See #SdfInstruction.execute. */
+void sdf_op_intersection(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Difference: intersection with the complement of the body. See #SdfInstruction.execute. */
+void sdf_op_difference(SdfVm *vm, const SdfInstruction *instruction);
 
 /** Distance to a sphere. See #SdfInstruction.execute. */
 void sdf_op_sphere(SdfVm *vm, const SdfInstruction *instruction);

@@ -318,8 +318,7 @@ INLINE void sphere_trace_step_on(const SphereTracer *tracer, SphereTrace *trace,
 /** Makes one step. */
 INLINE void sphere_trace_step(const SphereTracer *tracer, SphereTrace *trace) {
     Vec3 point = sphere_trace_step_points(trace);
-    real distance =
-        sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
+    real distance = sdf_distance(&tracer->program, point, trace->stepping);
     sphere_trace_step_on(tracer, trace, point, distance);
 }
 
@@ -449,7 +448,8 @@ INLINE void march_packet_run_in_turn(MarchPacket *march, SphereTrace *vectors) {
 }
 
 /** Makes all steps of two vectors together, in a field without grid that prefers it. */
-static __attribute__((noinline)) void march_packet_run_together(MarchPacket *march, SphereTrace *vectors) {
+static __attribute__((noinline)) void march_packet_run_together(MarchPacket *march,
+                                                                SphereTrace *vectors) {
     const SphereTracer *tracer = march->tracer;
     while (march_packet_fill(march, &vectors[0]) | march_packet_fill(march, &vectors[1])) {
         Vec3 points[SDF_VECTORS];
@@ -459,7 +459,7 @@ static __attribute__((noinline)) void march_packet_run_together(MarchPacket *mar
             points[v] = sphere_trace_step_points(&vectors[v]);
             active[v] = vectors[v].stepping;
         }
-        sdf_mandelbulb_distances(tracer->program, points, active, distances);
+        sdf_mandelbulb_distances(tracer->program.instructions, points, active, distances);
         for (int v = 0; v < SDF_VECTORS; v++) {
             sphere_trace_step_on(tracer, &vectors[v], points[v], distances[v]);
             step_limit_counter_add(tracer->step_limit_counter,
@@ -486,8 +486,7 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
         vectors[v].stepping = vectors[v].seeking = vectors[v].entering = vectors[v].arrived =
             mask_of(false);
     }
-    if (!tracer->grid.is_repeated &&
-        sdf_prefers_vectors(tracer->program, tracer->instruction_count)) {
+    if (!tracer->grid.is_repeated && sdf_prefers_vectors(&tracer->program)) {
         march_packet_run_together(&march, vectors);
     } else {
         march_packet_run_in_turn(&march, vectors);
@@ -503,8 +502,7 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
 static void march_log_add(MarchLog *log, const SphereTracer *tracer, const SphereTrace *trace) {
     if (log && mask_lane(trace->stepping, 0) && log->count < log->capacity) {
         Vec3 point = sphere_trace_point(trace, trace->t);
-        real distance =
-            sdf_distance(tracer->program, tracer->instruction_count, point, trace->stepping);
+        real distance = sdf_distance(&tracer->program, point, trace->stepping);
         double scale = (double)tracer->scale;
         log->steps[log->count++] =
             (RayMarchStep){(double)real_lane(sphere_trace_distance(trace), 0) * log->length,

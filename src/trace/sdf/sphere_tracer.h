@@ -28,8 +28,7 @@
 
 /** A field, prepared for sphere tracing. */
 typedef struct SphereTracer {
-    SdfInstruction *program;    /**< Program of the field; the shape's. */
-    int instruction_count;      /**< Number of instructions. */
+    SdfProgram program;         /**< Program of the field; its memory is the shape's. */
     Similarity outer;           /**< Transform of the whole field. */
     RepeatGrid grid;            /**< Repetition in the coordinates of #outer. */
     Similarity inner;           /**< Transform of each copy in its cell. */
@@ -83,10 +82,11 @@ typedef struct SphereTrace {
 /**
  * Prepares a field, except for #SphereTracer.footprint, #SphereTracer.relaxation and
  * #SphereTracer.step_limit_counter.
- * @param[in,out] tracer  With memory for the program; tolerance and number of steps are set.
+ * @param[in,out] tracer  Tolerance and number of steps are set.
+ * @param memory          Memory for the program: see #sdf_program_size.
  * @param[out] bounds     Bounding box of all points within the tolerance.
  */
-void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds);
+void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, void *memory, Aabbs *bounds);
 
 /**
  * Intersects rays with the surface.

@@ -106,7 +106,7 @@ static Aabbs aabbs_expanded(Aabbs box, scalar by) {
     return box;
 }
 
-void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {
+void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, void *memory, Aabbs *bounds) {
     TransformHoist hoist = {sdf, 0, sdf->low, sdf->high};
     *bounds = aabbs_from_corners(sdf->low, sdf->high);
     scalar roundings = SDF_ERROR * ROUNDOFF * aabbs_magnitude(bounds);
@@ -129,7 +129,6 @@ void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, Aabbs *bounds) {
     Aabbs one = aabbs_from_corners(hoist.low, hoist.high);
     tracer->box = aabb_splat(aabbs_expanded(one, margin / tracer->scale));
     tracer->bound_slack = (scalar)sdf->bound_slack;
-    sdf_compile(tracer->program, sdf);
-    tracer->program += hoist.first_node;
-    tracer->instruction_count = sdf->node_count - hoist.first_node;
+    tracer->program =
+        sdf_compile(memory, &sdf->nodes[hoist.first_node], sdf->node_count - hoist.first_node);
 }

@@ -21,17 +21,15 @@ typedef struct SdfShape {
 
 /** @return Bytes of the program. See #ShapeExtension.tail_size. */
 static size_t sdf_shape_tail(const void *parameters) {
-    return (size_t)((const SdfShapeParameters *)parameters)->field->node_count *
-           sizeof(SdfInstruction);
+    return sdf_program_size(((const SdfShapeParameters *)parameters)->field);
 }
 
 /** See #ShapeClass.init. */
 static void sdf_shape_init(Shape *self, const void *parameters) {
     SdfShape *shape = (SdfShape *)self;
     const SdfShapeParameters *p = parameters;
-    shape->tracer = (SphereTracer){
-        .program = shape_tail(self), .tolerance = (scalar)p->tolerance, .max_steps = p->max_steps};
-    sphere_tracer_init(&shape->tracer, p->field, &shape->box);
+    shape->tracer = (SphereTracer){.tolerance = (scalar)p->tolerance, .max_steps = p->max_steps};
+    sphere_tracer_init(&shape->tracer, p->field, shape_tail(self), &shape->box);
 }
 
 /** Connects the sphere tracer with step counter, relaxation and footprint. See
@@ -62,8 +60,7 @@ INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, 
         return;
     }
     real t = real_select(is_small, trace->t + change, trace->t);
-    SdfSample refined = sdf_sample(tracer->program, tracer->instruction_count,
-                                   sphere_trace_point(trace, t), trace->arrived);
+    SdfSample refined = sdf_sample(&tracer->program, sphere_trace_point(trace, t), trace->arrived);
     mask is_nearer = is_small & (real_abs(refined.distance) < real_abs(sample->distance)) & (t > 0);
     trace->t = real_select(is_nearer, t, trace->t);
     sample->distance = real_select(is_nearer, refined.distance, sample->distance);
@@ -90,8 +87,7 @@ INLINE mask sdf_shape_update_hit(const Shape *self, SphereTrace *trace, Hit *hit
     const SphereTracer *tracer = &((const SdfShape *)self)->tracer;
     Vec3 point = sphere_trace_point(trace, trace->t);
     real tolerance = sphere_trace_tolerance(tracer, trace, trace->t, point);
-    SdfSample sample =
-        sdf_sample(tracer->program, tracer->instruction_count, point, trace->arrived);
+    SdfSample sample = sdf_sample(&tracer->program, point, trace->arrived);
     sphere_trace_refine(tracer, trace, &sample, tolerance);
     real distance = sphere_trace_distance(trace);
     mask nearer = hit_is_nearer(hit, trace->arrived, distance, self->index);

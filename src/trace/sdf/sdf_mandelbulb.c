@@ -138,12 +138,10 @@ INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
 
 /** Points at which a gradient needs the distance: a step forwards and one backwards per axis. */
 enum { GRADIENT_POINTS = 6 };
+_Static_assert((int)GRADIENT_POINTS >= (int)SDF_VECTORS, "as many orbits as vectors");
 
-/** Finds the bounds of the distances of some vectors of points. Each iteration waits for two roots
- *  and a quotient: those of other vectors are computed meanwhile. @param active Lanes that count.
- *  @param count Number of vectors, up to #GRADIENT_POINTS; a constant. */
-INLINE void mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
-                                 int count, real *distances) {
+void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                              int count, real *distances) {
     const int n = (int)operands[0], iterations = (int)operands[1];
     const real escape = real_of(operands[4]);
     MandelbulbOrbit orbits[GRADIENT_POINTS];
@@ -180,19 +178,14 @@ INLINE Vec3 mandelbulb_gradient(const scalar *operands, Vec3 p, mask active) {
                                           {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
     const mask all[GRADIENT_POINTS] = {active, active, active, active, active, active};
     real d[GRADIENT_POINTS];
-    mandelbulb_distances(operands, points, all, GRADIENT_POINTS, d);
+    sdf_mandelbulb_distances(operands, points, all, GRADIENT_POINTS, d);
     return vec3_scale((Vec3){d[0] - d[1], d[2] - d[3], d[4] - d[5]}, 1 / (2 * h));
 }
 
 void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
-    mandelbulb_distances(operands, &vm->point, &vm->active, 1, &vm->sample.distance);
+    sdf_mandelbulb_distances(operands, &vm->point, &vm->active, 1, &vm->sample.distance);
     if (vm->wants_gradient) {
         vm->sample.gradient = mandelbulb_gradient(operands, vm->point, vm->active);
     }
-}
-
-void sdf_mandelbulb_distances(const SdfInstruction *instruction, const Vec3 *points,
-                              const mask *active, real *distances) {
-    mandelbulb_distances(instruction->operands, points, active, SDF_VECTORS, distances);
 }

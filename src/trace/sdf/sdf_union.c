@@ -124,11 +124,13 @@ INLINE scalar sdf_vm_farthest(const SdfVm *vm) {
     return real_reduce_max(real_select(vm->active, vm->sample.distance, real_of(-INFINITE)));
 }
 
-/** Executes the parts of a run that can be as near as what is known, in their order. @param done A
- *  part that has been executed; NULL: none. @param is_known Whether the smallest distances are
- * known; else what the parts give rules out others. */
-INLINE void union_run_execute(SdfVm *vm, const SdfInstruction *run, const RunDistances *distances,
-                              const SdfInstruction *done, scalar farthest, bool is_known) {
+/** Executes the parts of a run that can be as near as what is known, in their order; not inlined,
+ * as it is called twice. @param done A part that has been executed; NULL: none. @param is_known
+ * Whether the smallest distances are known; else what the parts give rules out others. */
+static __attribute__((noinline)) void union_run_execute(SdfVm *vm, const SdfInstruction *run,
+                                                        const RunDistances *distances,
+                                                        const SdfInstruction *done, scalar farthest,
+                                                        bool is_known) {
     for (int k = 0; k < run->pack_count; k++) {
         const SdfUnionPack *pack = &run->packs[k];
         unsigned left = union_pack_near(pack, distances->packs[k], farthest);

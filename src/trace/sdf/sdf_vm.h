@@ -48,9 +48,16 @@ INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
     return program->count == 1 && program->instructions->execute == sdf_op_mandelbulb;
 }
 
-/** #sdf_distance to a Mandelbulb. @param points Those of #SDF_VECTORS vectors. */
-void sdf_mandelbulb_distances(const SdfInstruction *instruction, const Vec3 *points,
-                              const mask *active, real *distances);
+/**
+ * Finds bounds of the distances of some vectors of points to a Mandelbulb. Each iteration waits for
+ * two roots and a quotient: those of other vectors are computed meanwhile.
+ * @param operands        Those of its instruction.
+ * @param active          Lanes that count, per vector.
+ * @param count           Number of vectors, 1 to 6.
+ * @param[out] distances  The bounds, per vector.
+ */
+void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                              int count, real *distances);
 
 /** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
  *  count; other results are undefined. */

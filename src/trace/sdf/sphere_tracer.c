@@ -387,8 +387,10 @@ typedef struct MarchPacket {
     MarchQueue queue;           /**< Rays of these that wait. */
 } MarchPacket;
 
-/** Begins vectors of rays until there are enough for a whole one. */
-INLINE void march_packet_begin_vectors(MarchPacket *march) {
+/** Begins vectors of rays until there are enough for a whole one; not inlined, as it is long and
+ *  rarely called. @param is_repeated Whether the field has a grid. */
+static __attribute__((noinline)) void march_packet_begin_vectors(MarchPacket *march,
+                                                                 bool is_repeated) {
     while (march->queue.count < LANES && march->begun < PACKET_VECTORS) {
         int v = march->begun++;
         SphereTrace *trace = &march->traces[v];
@@ -398,20 +400,19 @@ INLINE void march_packet_begin_vectors(MarchPacket *march) {
                                march->limits[v], march->is_shadow, trace)) {
             trace->ray = integer_of(v * LANES) + lane_numbers();
             march_queue_push(&march->queue, trace, mask_bits(sphere_trace_unfinished(trace)),
-                             march->tracer->grid.is_repeated);
+                             is_repeated);
         }
     }
 }
 
 /** Fills the lanes of finished rays, if enough of them are. @return Whether there is an unfinished
  *  ray. */
-INLINE bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
-    const bool is_repeated = march->tracer->grid.is_repeated;
+INLINE bool march_packet_fill(MarchPacket *march, SphereTrace *trace, bool is_repeated) {
     unsigned bits = mask_bits(sphere_trace_unfinished(trace));
     if (__builtin_popcount(bits) > LANES - MARCH_FREE_LANES) {
         return true;
     }
-    march_packet_begin_vectors(march);
+    march_packet_begin_vectors(march, is_repeated);
     if (march->queue.count == 0) {
         return bits != 0;
     }
@@ -423,9 +424,9 @@ INLINE bool march_packet_fill(MarchPacket *march, SphereTrace *trace) {
 }
 
 /** Hands the hits of a vector over. */
-INLINE void march_packet_finish(MarchPacket *march, SphereTrace *trace) {
+INLINE void march_packet_finish(MarchPacket *march, SphereTrace *trace, bool is_repeated) {
     if (any(trace->arrived)) {
-        march_results_write(trace, march->traces, march->tracer->grid.is_repeated);
+        march_results_write(trace, march->traces, is_repeated);
         trace->arrived = mask_of(false);
     }
 }
@@ -433,38 +434,51 @@ INLINE void march_packet_finish(MarchPacket *march, SphereTrace *trace) {
 /** Makes all steps of two vectors, each in turn. */
 INLINE void march_packet_run_in_turn(MarchPacket *march, SphereTrace *vectors) {
     const SphereTracer *tracer = march->tracer;
+    const bool is_repeated = tracer->grid.is_repeated;
     bool is_unfinished = true;
     while (is_unfinished) {
         is_unfinished = false;
         for (SphereTrace *trace = vectors; trace < vectors + SDF_VECTORS; trace++) {
-            if (march_packet_fill(march, trace)) {
+            if (march_packet_fill(march, trace, is_repeated)) {
                 is_unfinished = true;
                 step_limit_counter_add(tracer->step_limit_counter,
                                        sphere_trace_continue(tracer, trace));
-                march_packet_finish(march, trace);
+                march_packet_finish(march, trace, is_repeated);
             }
         }
     }
 }
 
-/** Makes all steps of two vectors together, in a field without grid that prefers it. */
-static __attribute__((noinline)) void march_packet_run_together(MarchPacket *march,
-                                                                SphereTrace *vectors) {
+/** Begins the next step of a vector, in a field without grid; not inlined, as it is called twice.
+ *  @param[out] points Where it needs the distance. @return Whether there is an unfinished ray. */
+static __attribute__((noinline)) bool march_packet_begin_step(MarchPacket *march,
+                                                              SphereTrace *trace, Vec3 *points) {
+    bool is_unfinished = march_packet_fill(march, trace, false);
+    *points = sphere_trace_step_points(trace);
+    return is_unfinished;
+}
+
+/** Makes the rest of the step. @param distances Distances of the field at the points. */
+static __attribute__((noinline)) void march_packet_end_step(MarchPacket *march, SphereTrace *trace,
+                                                            const Vec3 *points,
+                                                            const real *distances) {
     const SphereTracer *tracer = march->tracer;
-    while (march_packet_fill(march, &vectors[0]) | march_packet_fill(march, &vectors[1])) {
-        Vec3 points[SDF_VECTORS];
-        mask active[SDF_VECTORS];
+    sphere_trace_step_on(tracer, trace, *points, *distances);
+    step_limit_counter_add(tracer->step_limit_counter, sphere_trace_end_exhausted(tracer, trace));
+    march_packet_finish(march, trace, false);
+}
+
+/** Makes all steps of two vectors together, in a field without grid that prefers it. */
+static void march_packet_run_together(MarchPacket *march, SphereTrace *vectors) {
+    Vec3 points[SDF_VECTORS];
+    while (march_packet_begin_step(march, &vectors[0], &points[0]) +
+           march_packet_begin_step(march, &vectors[1], &points[1])) {
+        const mask active[SDF_VECTORS] = {vectors[0].stepping, vectors[1].stepping};
         real distances[SDF_VECTORS];
+        sdf_mandelbulb_distances(march->tracer->program.instructions->operands, points, active,
+                                 SDF_VECTORS, distances);
         for (int v = 0; v < SDF_VECTORS; v++) {
-            points[v] = sphere_trace_step_points(&vectors[v]);
-            active[v] = vectors[v].stepping;
-        }
-        sdf_mandelbulb_distances(tracer->program.instructions, points, active, distances);
-        for (int v = 0; v < SDF_VECTORS; v++) {
-            sphere_trace_step_on(tracer, &vectors[v], points[v], distances[v]);
-            step_limit_counter_add(tracer->step_limit_counter,
-                                   sphere_trace_end_exhausted(tracer, &vectors[v]));
-            march_packet_finish(march, &vectors[v]);
+            march_packet_end_step(march, &vectors[v], &points[v], &distances[v]);
         }
     }
 }

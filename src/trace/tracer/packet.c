@@ -169,8 +169,9 @@ static AxisInterval axis_interval_negated(const AxisInterval *interval) {
 static mask boxes_meet_region(const Aabb *boxes, const Aabbs *region) {
     mask meets = mask_of(true);
     for (int axis = 0; axis < 3; axis++) {
-        meets &= (boxes->planes[axis] <= real_of(region->high[axis])) &
-                 (boxes->planes[axis + 3] >= real_of(region->low[axis]));
+        mask begins = boxes->planes[axis] <= real_of(region->high[axis]);
+        mask ends = boxes->planes[axis + 3] >= real_of(region->low[axis]);
+        meets &= begins & ends;
     }
     return meets;
 }

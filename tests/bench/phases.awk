@@ -9,7 +9,7 @@ BEGIN {
     add("culling", "_covers$|^(beam_|camera_beam|camera_packet_beam|intervals_to|packet_intervals|packet_active|linear_cand|candidates_|shape_set_|set_bvh|set_intervals|bvh_|packet_tr|single_t|tile_is_back|aabb)")
     add("shadow rays: intersection", "(_is_occluding|_occluded)")
     add("rays: intersection", "(_is_hit|_covered_hits|_closest_hits|_intersect|closest_hit|sphere_intersect|mesh_|leaf_|triangle)")
-    add("marching", "^(sphere_trace|march_|sdf_|grid_|repeat_)")
+    add("marching", "^(sphere_trace|march_|sdf_|union_run|grid_|repeat_)")
     add("lights: sampling", "(_light_sample|light_sample_|^light_|emitters_)")
     add("shading", "^(shade_|find_|real_pow|phong|textures_|material|sky_|local_|fresnel)")
     add("mirrors and glass: new rays", "^(reflect_|refract_|secondary_|dielectric|contact|interior|wavefront|trace_packet|trace_secondary|losses|shadow_trans|packet_gather|queue|node)")

@@ -19,7 +19,7 @@
 /** Pixels per packet, down. Packets of 8 by 8 rays were the fastest (measured). */
 #define PACKET_ROWS 8
 #else
-/** An engine of one lane is the textbook tracer, the baseline of all charts: one ray at a time. */
+/** An engine of one lane traces one ray at a time: the baseline of all charts. */
 #define PACKET_COLUMNS 1
 /** See #PACKET_COLUMNS. */
 #define PACKET_ROWS 1

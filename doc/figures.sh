@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the figures of README.md, README.fr.md and doc/web.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
+# Writes the figures of README.md, README.fr.md, doc/web.md and doc/marching.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
 # the tables of doc/figures. `make bench`, `make peers` and `make bench-web` call it after measuring.
 #   doc/figures.sh [FOLDER]: writes the files there instead.
 set -eu
@@ -49,8 +49,25 @@ function name(key) {
 function heads(cells,  count, row) { print "| " cells " |"; count = split(cells, row, " [|] "); printf "|"; while (count-- > 0) printf "---|"; print "" }
 # measured(table): where and when a table was measured.
 function measured(table,  parts) {
-    split(machine[table], parts, ",")
+    split(machine[table], parts, ", ?")
     print words("Measured on ", "Mesurés sur ") parts[1] ", " parts[2] ", " parts[3] (parts[4] == "" ? "" : "," parts[4]) ".\n"
+}
+# march_settings(): a row per length of steps and per footprint, a column per scene: pixels off, time.
+function march_settings(  i, j, cell, cells, rows_of, columns, line) {
+    for (i = 1; i <= rows["march-settings"]; i++) {
+        split(row["march-settings", i], cell, ",")
+        cells[cell[1], cell[2], cell[3] + 0] = sprintf("%.2f %%, %s ms", cell[5], number(cell[4]))
+    }
+    heads("setting | endless frames | all neighbours evaluated | cube frame | melting | Menger sponge")
+    split("scenes/endless-frames tests/bench/frames-asked scenes/cube-frame scenes/melting scenes/menger-sponge", columns, " ")
+    split("relaxation,1,steps as long as allowed;relaxation,1.2,1.2 times;relaxation,1.6,1.6 times;relaxation,0,by the slope;" \
+          "footprint,0.0625,footprint 1/16;footprint,0.125,footprint 1/8;footprint,0.25,footprint 1/4;footprint,0.5,footprint 1/2", rows_of, ";")
+    for (i = 1; i in rows_of; i++) {
+        split(rows_of[i], cell, ",")
+        line = "| " cell[3] " |"
+        for (j = 1; j in columns; j++) line = line " " cells[columns[j] ".lua", cell[1], cell[2] + 0] " |"
+        print line
+    }
 }
 # acne(): a sentence on the pixels with acne or a leak.
 function acne(  i, cell, none, wrong, others) {
@@ -69,6 +86,7 @@ function acne(  i, cell, none, wrong, others) {
 function table_of(what,  i, cell, other, best) {
     if (what == "acne") { acne(); return }
     measured(what == "speed" ? "speed" : what)
+    if (what == "march-settings") { march_settings(); return }
     if (what == "engines") {
         heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un niveau près | à plus, contre `f128x1`"))
         for (i = 1; i <= rows[what]; i++) {
@@ -156,3 +174,4 @@ fill README.md en
 fill README.fr.md fr
 mkdir -p "$folder/doc"
 fill doc/web.md en
+fill doc/marching.md en

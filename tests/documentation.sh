@@ -132,7 +132,9 @@ same doc/reports.md "$work/reports.md" 'doc/reports.md is what doc/reports.sh ma
 
 # --- figures of the READMEs and of the page: those of the tables -------------------------------------
 doc/figures.sh "$work" 2>"$work/err" || fail "doc/figures.sh: $(cat "$work/err")"
-same doc/web.md "$work/doc/web.md" 'doc/web.md has the figures of doc/figures'
+for document in doc/web.md doc/marching.md; do
+    same $document "$work/$document" "$document has the figures of doc/figures"
+done
 for document in README.md README.fr.md; do
     same $document "$work/$document" "$document has the figures of doc/figures"
     [ "$(grep -c '^<!-- figures: ' $document)" = 6 ] && ok "$document: all six tables" || fail "$document lacks tables"

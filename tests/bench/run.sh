@@ -117,3 +117,5 @@ done
         scenes/menger-sponge.lua tests/bench/frames-asked.lua
 } >"$folder/marching.csv"
 gnuplot -c tests/bench/marching.gp "$folder" "$machine"
+# Its table is written into doc/marching.md by doc/figures.sh.
+cp "$folder/marching.csv" doc/figures/march-settings.csv

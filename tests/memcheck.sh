@@ -27,6 +27,7 @@ for engine in $engines; do
     "$dioptre" render scenes/box.lua $small --engine $engine -o "$work/plain.bmp"
     checked "a picture, $engine" render scenes/box.lua $small --engine $engine -o "$work/checked.bmp"
     same "$work/plain.bmp" "$work/checked.bmp" "$engine: the same bits under valgrind"
+    checked "a Mandelbulb, $engine" render scenes/mandelbulb.lua $small --engine $engine -o "$work/bulb.bmp"
     checked "a repeated field, $engine" render scenes/endless-frames.lua $small --engine $engine -o "$work/field.bmp"
 done
 printf 'camera { position = {0, 0, 5} }\nlight {}\nmesh { file = "die.obj" }\n' >"$work/model.lua"

@@ -7,6 +7,8 @@
 
 #include "testing.h"
 
+#include "dioptre/sdf_tape.h"
+
 #include <stdlib.h>
 
 /** @return Memory for a field. */
@@ -60,9 +62,11 @@ static inline Sdf *join_sdfs(SdfCombination join, Sdf *a, Sdf *b, double radius)
     return out;
 }
 
-/** Number of solids in the fields of tests; half their edges; the distance between two of them. */
+/** Number of solids in the fields of tests. */
 enum { MANY_SOLIDS = 40 };
+/** Half the edge of a box, and radius of a ball. */
 #define MANY_SOLIDS_HALF 0.25
+/** Distance between neighbouring centres. */
 #define MANY_SOLIDS_STEP 0.75
 
 /** @return The centre of a solid: rows of seven, on floors of seven rows. */
@@ -73,23 +77,47 @@ static inline Vec3d many_solids_place(int i) {
                    MANY_SOLIDS_STEP * (n / 49 % 7 - 3)};
 }
 
-/** @return A union of boxes and balls in turn; from 343 on they stand where others do. */
-static inline Sdf *many_solids(int count) {
+/** @return A union of boxes and balls in turn; from 343 on they stand where others do. @param first
+ *  What stands before them in the union, released; NULL: nothing. */
+static inline Sdf *many_solids_behind(Sdf *first, int count) {
     Error error = {0};
     const double edges[3] = {2 * MANY_SOLIDS_HALF, 2 * MANY_SOLIDS_HALF, 2 * MANY_SOLIDS_HALF};
     const double radius = MANY_SOLIDS_HALF;
-    const Sdf **parts = calloc((size_t)count, sizeof *parts);
+    const Sdf **parts = calloc((size_t)count + 1, sizeof *parts);
+    int total = 0;
+    if (first) {
+        parts[total++] = first;
+    }
     for (int i = 0; i < count; i++) {
         Vec3d at = many_solids_place(i);
         Sdf *solid = i % 2 ? make_sdf("sphere", &radius) : make_sdf("box", edges);
-        parts[i] = translate_sdf(solid, at.x, at.y, at.z);
+        parts[total++] = translate_sdf(solid, at.x, at.y, at.z);
     }
-    Sdf *out = allocate_sdf(sdf_combined_capacity(parts, count));
-    assert_true(sdf_combine(out, SDF_COMBINE_UNION, parts, count, 0, &error));
-    for (int i = 0; i < count; i++) {
+    Sdf *out = allocate_sdf(sdf_combined_capacity(parts, total));
+    assert_true(sdf_combine(out, SDF_COMBINE_UNION, parts, total, 0, &error));
+    for (int i = 0; i < total; i++) {
         free((void *)parts[i]);
     }
     free(parts);
+    return out;
+}
+
+/** @return The same, with nothing before them. */
+static inline Sdf *many_solids(int count) {
+    return many_solids_behind(NULL, count);
+}
+
+/** @return A field of one's own that is no number where x is negative: sqrt(x) - 1. */
+static inline Sdf *rooted_field(void) {
+    Error error = {0};
+    SdfTape *tape = calloc(1, sizeof *tape);
+    sdf_tape_begin(tape);
+    int root = sdf_tape_add(tape, SDF_TAPE_SQUARE_ROOT, 0, 0);
+    int result = sdf_tape_add(tape, SDF_TAPE_SUBTRACT, root, sdf_tape_add_constant(tape, 1));
+    Sdf *out = allocate_sdf(tape->count + 1);
+    assert_true(sdf_from_tape(out, tape, result, &error));
+    assert_true(sdf_tape_find_bounds(out));
+    free(tape);
     return out;
 }
 

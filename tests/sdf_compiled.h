@@ -20,10 +20,15 @@ typedef struct CompiledSdf {
     SdfProgram program; /**< The program. */
 } CompiledSdf;
 
+/** @return Memory for the program of a field; the caller frees it. */
+static inline void *allocate_program(const Sdf *field) {
+    size_t blocks = sdf_program_size(field) / SHAPE_ALIGNMENT + 1;
+    return aligned_alloc(SHAPE_ALIGNMENT, blocks * SHAPE_ALIGNMENT);
+}
+
 /** @return The program of a field; the caller frees its memory. */
 static inline CompiledSdf compile_sdf(const Sdf *field) {
-    size_t blocks = sdf_program_size(field) / SHAPE_ALIGNMENT + 1;
-    void *memory = aligned_alloc(SHAPE_ALIGNMENT, blocks * SHAPE_ALIGNMENT);
+    void *memory = allocate_program(field);
     return (CompiledSdf){memory, sdf_compile(memory, field->nodes, field->node_count)};
 }
 

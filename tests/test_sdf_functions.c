@@ -367,7 +367,8 @@ static void test_overlap(void **state) {
     free(out);
 }
 
-/** Runs the tests. @return 0 if all pass. */
+/* --- runs of unions --------------------------------------------------------------------------- */
+
 /** Executes the parts of a run of unions in their order. See #SdfInstruction.execute. */
 static void run_in_order(SdfVm *vm, const SdfInstruction *run) {
     sdf_vm_run(vm, run + 1, run->body_count);
@@ -393,7 +394,7 @@ static void test_union_runs(void **state) {
         uint64_t seed = 7;
         for (int n = 0; n < POINTS / 4; n++) {
             Vec3d p = random_point(&seed, 4);
-            // Every second point is as far from two solids.
+            // Every second point lies in a plane of centres, or halfway between two.
             p.x = n % 2 ? 0.5 * MANY_SOLIDS_STEP * round(p.x) : p.x;
             double distance = sdf_distance(&runs.program, vec3_of(p), 1);
             SdfSample fast = sdf_sample(&runs.program, vec3_of(p), 1);
@@ -407,6 +408,7 @@ static void test_union_runs(void **state) {
     }
 }
 
+/** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lipschitz),  cmocka_unit_test(test_union_runs),

@@ -410,12 +410,14 @@ static void check_lane_widths(const Engine *engine) {
     uint64_t seed = 3;
     static RayQueryQuad rays[BATCH];
     static RayResult a[BATCH], b[BATCH];
-    for (int kind = 0; kind < 4; kind++) {
+    for (int kind = 0; kind < 5; kind++) {
         Sdf *fields[2];
         for (int i = 0; i < 2; i++) {
             fields[i] = kind == 0   ? things[0]()
                         : kind == 1 ? make_sdf("mandelbulb", (int[]){8, 5})
                         : kind == 2 ? many_solids(MANY_SOLIDS)
+                        : kind == 3 ? many_solids_behind(translate_sdf(rooted_field(), 0.1, 0, 0),
+                                                         MANY_SOLIDS)
                                     : repeat_sdf(make_sdf("menger", NULL),
                                                  (SdfRepetition){{1.5, 0, 1.25}, {0, 0, 2}});
         }

@@ -43,7 +43,7 @@ static void steps_print(const char *way, double relaxation, double degrees) {
     Sdf *ground = translate_sdf(make_sdf("box", (double[]){4096, 16, 4096}), 0, -8, 0);
     Sdf *both = join_sdfs(SDF_COMBINE_UNION, ground,
                           translate_sdf(make_sdf("sphere", NULL), -1900, 1, 0), 0);
-    void *memory = calloc(1, sdf_program_size(both));
+    void *memory = allocate_program(both);
     StepLimitCounter step_limit = {0};
     SphereTracer sphere_tracer = {.tolerance = (scalar)eps,
                                   .relaxation = (scalar)relaxation,

@@ -312,6 +312,7 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
         return;
     }
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);
+    // Such a shape may be hit outside its box.
     intervals.has_region = intervals.has_region && !set->may_exceed_box;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] = mask_of(false);

@@ -298,7 +298,8 @@ INLINE real real_max(real a, real b) {
     return LANES_MAX(a, b);
 }
 
-/** @return The smallest lane, in log2(LANES) steps: each compares one half with the other. */
+/** @return The smallest lane, in log2(LANES) steps: each compares one half with the other. No lane
+ *  may be NaN: it would hide others. */
 INLINE scalar real_reduce_min(real x) {
 #if LANES == 16
     x = real_min(

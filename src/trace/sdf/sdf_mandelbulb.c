@@ -4,8 +4,6 @@
  */
 #include "trace/sdf/sdf_vm.h"
 
-#include <string.h>
-
 /** LANES complex numbers. */
 typedef struct Complex {
     real re; /**< Real part. */
@@ -59,14 +57,12 @@ enum { LN_SERIES_TERMS = REAL_BITS == 32 ? 5 : REAL_BITS == 64 ? 10 : 22 };
  *  2^127. @return The logarithms of the powers to the base 2. */
 INLINE real real_split_power(real *x) {
 #if LANES > 1
-    // The exponent lies above the fraction. Shifted, it is a number; that of 1 takes its place.
-    const int shift = REAL_BITS == 32 ? 23 : 52, exponent_of_one = REAL_BITS == 32 ? 127 : 1023;
-    integer bits;
-    memcpy(&bits, x, sizeof bits);
-    const integer exponent = (bits >> shift) - integer_of(exponent_of_one);
-    bits -= exponent << shift;
-    memcpy(x, &bits, sizeof bits);
-    return __builtin_convertvector(exponent, real);
+    // The exponent lies above the fraction. That of 1 replaces it.
+    const int shift = REAL_BITS == 32 ? 23 : 52;
+    const lane_integer one = (lane_integer)(REAL_BITS == 32 ? 127 : 1023) << shift;
+    const integer bits = (integer)*x;
+    *x = (real)((bits & (((lane_integer)1 << shift) - 1)) | one);
+    return __builtin_convertvector((bits - one) >> shift, real);
 #else
     const real one = real_of(1), zero = real_of(0);
     mask is_small = *x < one;
@@ -136,17 +132,13 @@ INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
     return real_max(estimate, length - operands[2]);
 }
 
-/** Points at which a gradient needs the distance: a step forwards and one backwards per axis. */
-enum { GRADIENT_POINTS = 6 };
-_Static_assert((int)GRADIENT_POINTS >= (int)SDF_VECTORS, "as many orbits as vectors");
-
 void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
                               int count, real *distances) {
     const int n = (int)operands[0], iterations = (int)operands[1];
     const real escape = real_of(operands[4]);
-    MandelbulbOrbit orbits[GRADIENT_POINTS];
-    real lengths[GRADIENT_POINTS];
-    mask iterating[GRADIENT_POINTS], any_iterating = mask_of(false);
+    MandelbulbOrbit orbits[SDF_VECTORS_MAXIMUM];
+    real lengths[SDF_VECTORS_MAXIMUM];
+    mask iterating[SDF_VECTORS_MAXIMUM], any_iterating = mask_of(false);
     for (int v = 0; v < count; v++) {
         lengths[v] = real_sqrt(vec3_dot(points[v], points[v]));
         orbits[v] = (MandelbulbOrbit){points[v], lengths[v], real_of(1), real_of(operands[5])};
@@ -173,12 +165,12 @@ void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const 
 /** @return The gradient at points, by central differences. @param active Lanes that count. */
 INLINE Vec3 mandelbulb_gradient(const scalar *operands, Vec3 p, mask active) {
     const real h = real_of(MANDELBULB_GRADIENT_STEP);
-    const Vec3 points[GRADIENT_POINTS] = {{p.x + h, p.y, p.z}, {p.x - h, p.y, p.z},
-                                          {p.x, p.y + h, p.z}, {p.x, p.y - h, p.z},
-                                          {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
-    const mask all[GRADIENT_POINTS] = {active, active, active, active, active, active};
-    real d[GRADIENT_POINTS];
-    sdf_mandelbulb_distances(operands, points, all, GRADIENT_POINTS, d);
+    const Vec3 points[SDF_VECTORS_MAXIMUM] = {{p.x + h, p.y, p.z}, {p.x - h, p.y, p.z},
+                                              {p.x, p.y + h, p.z}, {p.x, p.y - h, p.z},
+                                              {p.x, p.y, p.z + h}, {p.x, p.y, p.z - h}};
+    const mask all[SDF_VECTORS_MAXIMUM] = {active, active, active, active, active, active};
+    real d[SDF_VECTORS_MAXIMUM];
+    sdf_mandelbulb_distances(operands, points, all, SDF_VECTORS_MAXIMUM, d);
     return vec3_scale((Vec3){d[0] - d[1], d[2] - d[3], d[4] - d[5]}, 1 / (2 * h));
 }
 

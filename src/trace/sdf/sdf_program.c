@@ -2,11 +2,10 @@
  * @file
  * @brief Programs of distance fields: their instructions, made of the nodes of a field.
  */
-#include "trace/bvh/aabb_pack.h"
 #include "trace/sdf/sdf_union.h"
 #include "trace/sdf/sdf_vm.h"
 
-/** Parts of a union from which on they are a run: fewer take as long without (measured). */
+/** Smallest number of parts of a run: with fewer it saves no time (measured). */
 enum { UNION_RUN_MINIMUM = 8 };
 
 /** A program that is being made. */

@@ -19,7 +19,8 @@ typedef struct SdfInstruction {
     int pack_count; /**< Number of #packs; only of a run of unions. */
     union {
         scalar operands[SDF_OPERANDS]; /**< Operands; see #SdfOp. */
-        const SdfUnionPack *packs;     /**< The boxes of a run of unions; the program's. */
+        const SdfUnionPack *packs; /**< The boxes of a run of unions; not owned, in the memory of
+                                      the program. */
     };
 } SdfInstruction;
 

@@ -2,11 +2,11 @@
  * @file
  * @brief Unions of distance fields.
  *
- * A part changes nothing where its box is farther away than what other parts give. For one part
- * that is found per lane. A run of many parts is asked at once, in any order, since a union is the
- * smallest distance: the box of the points of all lanes is compared with the boxes of eight or more
- * parts. In a smooth union each part changes what the next one finds, so the order counts, and
- * there is no run.
+ * A part changes nothing where its box is farther away than the distance so far. For one part, each
+ * lane tests that. For a run of many parts, the bounding box of all lanes' points is tested against
+ * the boxes of a pack of parts at once. The order of the parts is free, since a union is the
+ * smallest distance; only the sign of a zero may depend on it, which no step reads. In a smooth
+ * union each part changes what the next one is compared with, so the order counts: there is no run.
  */
 #include "trace/sdf/sdf_union.h"
 #include "trace/sdf/sdf_body.h"
@@ -70,8 +70,8 @@ INLINE Aabbs points_box(Vec3 p, mask lanes) {
                     real_reduce_max(real_select(lanes, p.z, least))}};
 }
 
-/** Finds Chebyshev distances between the boxes of a run and that of points: none of these is
- * nearer, also as it is rounded. */
+/** Finds lower bounds of the Chebyshev distances of points from the boxes of a run; roundings keep
+ *  them so. @param points Their bounding box. */
 INLINE void union_run_distances(const SdfInstruction *run, const Aabbs *points,
                                 RunDistances *distances) {
     for (int k = 0; k < run->pack_count; k++) {
@@ -87,7 +87,8 @@ INLINE void union_run_distances(const SdfInstruction *run, const Aabbs *points,
     }
 }
 
-/** @return The parts of a pack whose boxes are not farther away, or contain points. */
+/** @return The parts of a pack whose boxes are not farther away than a distance, or contain points.
+ *  @param farthest The largest distance so far. */
 INLINE unsigned union_pack_near(const SdfUnionPack *pack, const PackReal distances[PACK_VECTORS],
                                 scalar farthest) {
     unsigned far = 0;
@@ -119,27 +120,31 @@ INLINE const SdfInstruction *union_run_nearest(const SdfInstruction *run,
     return run->packs[nearest].parts[best];
 }
 
-/** @return The largest distance so far. */
+/** @return The largest distance so far. Lanes with NaN do not count: no part changes them. */
 INLINE scalar sdf_vm_farthest(const SdfVm *vm) {
-    return real_reduce_max(real_select(vm->active, vm->sample.distance, real_of(-INFINITE)));
+    const real least = real_of(-INFINITE);
+    return real_reduce_max(real_select(vm->active, real_max(vm->sample.distance, least), least));
 }
 
-/** Executes the parts of a run that can be as near as what is known, in their order; not inlined,
- * as it is called twice. @param done A part that has been executed; NULL: none. @param is_known
- * Whether the smallest distances are known; else what the parts give rules out others. */
+/** Executes the parts of a run that are near enough, in their order; not inlined, as it is called
+ *  twice. @param done A part that has been executed; NULL: none. @param farthest See
+ *  #union_pack_near. @param is_final Whether it is final; else it is updated after each part. */
 static __attribute__((noinline)) void union_run_execute(SdfVm *vm, const SdfInstruction *run,
                                                         const RunDistances *distances,
                                                         const SdfInstruction *done, scalar farthest,
-                                                        bool is_known) {
+                                                        bool is_final) {
     for (int k = 0; k < run->pack_count; k++) {
         const SdfUnionPack *pack = &run->packs[k];
         unsigned left = union_pack_near(pack, distances->packs[k], farthest);
         while (left) {
             const SdfInstruction *part = pack->parts[__builtin_ctz(left)];
             left &= left - 1;
-            if (part != done) {
-                part->execute(vm, part);
-                farthest = is_known ? farthest : sdf_vm_farthest(vm);
+            if (part == done) {
+                continue;
+            }
+            part->execute(vm, part);
+            if (!is_final) {
+                farthest = sdf_vm_farthest(vm);
                 left &= union_pack_near(pack, distances->packs[k], farthest);
             }
         }

@@ -16,9 +16,6 @@ struct SdfVm {
     bool wants_gradient; /**< Whether to compute gradients. */
 };
 
-/** Bound of the distance to a Mandelbulb. See #SdfInstruction.execute. */
-void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction);
-
 /** Executes instructions one after the other. */
 INLINE void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
     for (const SdfInstruction *instruction = program; instruction < program + count;
@@ -37,27 +34,6 @@ INLINE real sdf_distance(const SdfProgram *program, Vec3 point, mask active) {
     sdf_vm_run(&vm, program->instructions, program->count);
     return vm.sample.distance;
 }
-
-/** Vectors of points in flight: the processor begins the second before the first ends. Three were
- *  slower (measured). */
-enum { SDF_VECTORS = 2 };
-
-/** @return Whether a field is evaluated faster at #SDF_VECTORS vectors of points at once, by
- *          #sdf_mandelbulb_distances. */
-INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
-    return program->count == 1 && program->instructions->execute == sdf_op_mandelbulb;
-}
-
-/**
- * Finds bounds of the distances of some vectors of points to a Mandelbulb. Each iteration waits for
- * two roots and a quotient: those of other vectors are computed meanwhile.
- * @param operands        Those of its instruction.
- * @param active          Lanes that count, per vector.
- * @param count           Number of vectors, 1 to 6.
- * @param[out] distances  The bounds, per vector.
- */
-void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
-                              int count, real *distances);
 
 /** @return Distances of points with gradients, by forward differentiation. @param active Lanes that
  *  count; other results are undefined. */
@@ -150,8 +126,36 @@ void sdf_op_torus(SdfVm *vm, const SdfInstruction *instruction);
 /** Distance to a Menger sponge. See #SdfInstruction.execute. */
 void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction);
 
+/** Bound of the distance to a Mandelbulb. See #SdfInstruction.execute. */
+void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction);
+
 /** Result of a tape. See #SdfInstruction.execute. */
 void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction);
+
+/** Vectors of rays that are traced in turn or together: the processor begins the second before the
+ *  first ends. Three were slower (measured). */
+enum { SDF_VECTORS = 2 };
+/** Most vectors of points that are evaluated together: a gradient by central differences needs so
+ *  many. */
+enum { SDF_VECTORS_MAXIMUM = 6 };
+
+/** @return Whether a field is evaluated faster at several vectors of points together, by
+ *          #sdf_mandelbulb_distances. */
+INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
+    return program->count == 1 && program->instructions->execute == sdf_op_mandelbulb;
+}
+
+/**
+ * Finds bounds of the distances of some vectors of points to a Mandelbulb. Each iteration waits for
+ * two roots and a quotient: those of other vectors are computed meanwhile.
+ * @param operands        Those of its instruction.
+ * @param points          The points, per vector.
+ * @param active          Lanes that count, per vector.
+ * @param count           Number of vectors, up to #SDF_VECTORS_MAXIMUM.
+ * @param[out] distances  The bounds, per vector.
+ */
+void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                              int count, real *distances);
 
 /**
  * Translates the steps of a tape.

@@ -8,6 +8,8 @@
 #include "trace/sdf/march_queue.h"
 #include "trace/sdf/sdf_vm.h"
 
+#include <string.h>
+
 /** A ray that reaches the step limit has a hit if it came within so many tolerances. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
 /** Weight of the last step in #SphereTrace.slope. */
@@ -423,7 +425,7 @@ INLINE bool march_packet_fill(MarchPacket *march, SphereTrace *trace, bool is_re
     return true;
 }
 
-/** Hands the hits of a vector over. */
+/** Writes the hits of a vector to the vectors that its rays come from. */
 INLINE void march_packet_finish(MarchPacket *march, SphereTrace *trace, bool is_repeated) {
     if (any(trace->arrived)) {
         march_results_write(trace, march->traces, is_repeated);
@@ -470,11 +472,18 @@ static __attribute__((noinline)) void march_packet_end_step(MarchPacket *march, 
 
 /** Makes all steps of two vectors together, in a field without grid that prefers it. */
 static void march_packet_run_together(MarchPacket *march, SphereTrace *vectors) {
-    Vec3 points[SDF_VECTORS];
-    while (march_packet_begin_step(march, &vectors[0], &points[0]) +
-           march_packet_begin_step(march, &vectors[1], &points[1])) {
-        const mask active[SDF_VECTORS] = {vectors[0].stepping, vectors[1].stepping};
+    for (;;) {
+        Vec3 points[SDF_VECTORS];
+        mask active[SDF_VECTORS];
         real distances[SDF_VECTORS];
+        bool is_unfinished = false;
+        for (int v = 0; v < SDF_VECTORS; v++) {
+            is_unfinished |= march_packet_begin_step(march, &vectors[v], &points[v]);
+            active[v] = vectors[v].stepping;
+        }
+        if (!is_unfinished) {
+            return;
+        }
         sdf_mandelbulb_distances(march->tracer->program.instructions->operands, points, active,
                                  SDF_VECTORS, distances);
         for (int v = 0; v < SDF_VECTORS; v++) {
@@ -495,12 +504,16 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
     march.begun = 0;
     march.queue.count = 0;
     SphereTrace vectors[SDF_VECTORS];
+    const bool is_together = !tracer->grid.is_repeated && sdf_prefers_vectors(&tracer->program);
+    if (is_together) {
+        memset(vectors, 0, sizeof vectors); // One that gets no ray takes part in the steps.
+    }
     for (int v = 0; v < SDF_VECTORS; v++) {
         sphere_trace_set_spread(tracer, &vectors[v], is_shadow);
         vectors[v].stepping = vectors[v].seeking = vectors[v].entering = vectors[v].arrived =
             mask_of(false);
     }
-    if (!tracer->grid.is_repeated && sdf_prefers_vectors(&tracer->program)) {
+    if (is_together) {
         march_packet_run_together(&march, vectors);
     } else {
         march_packet_run_in_turn(&march, vectors);

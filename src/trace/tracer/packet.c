@@ -66,6 +66,10 @@ PacketIntervals packet_intervals(const Packet *packet) {
                              .limit = real_reduce_max(limit)};
 }
 
+/** Relative slack of a region: more than both sides of the slab test together, so that it keeps
+ *  each box that a ray's own test keeps. */
+#define REGION_SLACK (3 * SLAB_SLACK)
+
 /** @return The interval along one axis of rays to a point. @param point Its coordinate. */
 INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar point) {
     // The 0 that is added makes -0 positive, whose inverse would be the lowest of all.
@@ -87,7 +91,7 @@ PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scala
         const AxisInterval *interval = &intervals.axis[axis];
         scalar lowest = interval->origin_low < end[axis] ? interval->origin_low : end[axis];
         scalar highest = interval->origin_high > end[axis] ? interval->origin_high : end[axis];
-        scalar slack = SLAB_SLACK * (highest - lowest);
+        scalar slack = REGION_SLACK * (highest - lowest);
         intervals.region.low[axis] = lowest - slack;
         intervals.region.high[axis] = highest + slack;
     }

@@ -109,9 +109,10 @@ typedef struct AxisInterval {
 typedef struct PacketIntervals {
     AxisInterval axis[3]; /**< Along x, y and z. */
     scalar limit;         /**< The largest limit. */
-    bool has_region;      /**< Whether there is a #region: rays to a point have one. */
-    Aabbs region; /**< A box that contains all rays from their origins to their limits; larger
-                       by what distances may be wrong by. */
+    bool has_region;      /**< Whether there is a #region: rays that end at a point, or before it,
+                               have one. */
+    Aabbs region; /**< A box that contains all rays from their origins to the point, enlarged
+                       by roundings. */
 } PacketIntervals;
 
 /** Replaces the colours and losses of some rays. @param lanes Those. */

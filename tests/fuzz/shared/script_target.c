@@ -15,8 +15,8 @@ static const size_t MEMORY_LIMIT = (size_t)4 << 20;
 /** Calls of the hook until a run ends; there is one per call and per thousand instructions. */
 enum { HOOK_CALLS_LIMIT = 3000 };
 
-/** Most steps of one library function, which calls no hook meanwhile. The program ends such a run
- * by its limit of processor time; the fuzzer would take it for a hang. */
+/** Most steps of library functions in one run, which call no hook meanwhile. The program ends such
+ * a run by its limit of processor time; the fuzzer would take it for a hang. */
 static const double LIBRARY_STEPS_LIMIT = 1e7;
 
 /** The Lua state of the run; there is one at a time. */
@@ -27,6 +27,7 @@ static struct {
     bool is_running;              /**< Whether the run has not ended. */
     lua_Hook hook;                /**< Its hook. */
     int hook_calls;               /**< Calls of the hook so far. */
+    double library_steps;         /**< Steps of library functions so far. */
     const ScriptRequest *request; /**< The request of the run. */
 } current;
 
@@ -70,10 +71,18 @@ static double pattern_steps(lua_State *L, lua_Debug *call) {
         return 0;
     }
     int loops = 1;
-    for (size_t i = 0; i < lua_rawlen(L, -1); i++) {
-        loops += pattern[i] && strchr("*+-?", pattern[i]);
+    size_t length = lua_rawlen(L, -1);
+    for (size_t i = 0; i < length; i++) {
+        bool is_balance = pattern[i] == 'b' && i > 0 && pattern[i - 1] == '%';
+        loops += is_balance || (pattern[i] && strchr("*+-?", pattern[i]));
     }
-    return pow((double)lua_rawlen(L, -2) + 1, loops);
+    return pow((double)lua_rawlen(L, -2) + 1, loops) * (double)(length + 1);
+}
+
+/** @return Steps of `string.gmatch`, whose iterator may search once per character. */
+static double all_matches_steps(lua_State *L, lua_Debug *call) {
+    double once = pattern_steps(L, call);
+    return once > 0 ? once * (double)(lua_rawlen(L, -2) + 1) : 0;
 }
 
 /** @return A number that is an argument of a call; 0 if it is none. */
@@ -91,7 +100,8 @@ static double move_steps(lua_State *L, lua_Debug *call) {
     return number_argument(L, call, 3) - number_argument(L, call, 2);
 }
 
-/** @return Steps of a function that loops over a table: endless if the script says its length. */
+/** @return Steps of a function that loops over a table: infinite if a metamethod gives its length.
+ */
 static double length_steps(lua_State *L, lua_Debug *call) {
     return lua_getlocal(L, call, 1) && luaL_getmetafield(L, -1, "__len") ? HUGE_VAL : 0;
 }
@@ -107,11 +117,11 @@ typedef struct LongFunction {
 /** @return The steps of a call that is beginning; 0 unless it is of a long library function. */
 static double library_steps(lua_State *L, lua_Debug *call) {
     static LongFunction functions[] = {
-        {"string", "find", pattern_steps, NULL},   {"string", "match", pattern_steps, NULL},
-        {"string", "gmatch", pattern_steps, NULL}, {"string", "gsub", pattern_steps, NULL},
-        {"string", "rep", repetition_steps, NULL}, {"table", "move", move_steps, NULL},
-        {"table", "insert", length_steps, NULL},   {"table", "remove", length_steps, NULL},
-        {"table", "concat", length_steps, NULL},   {"table", "sort", length_steps, NULL}};
+        {"string", "find", pattern_steps, NULL},       {"string", "match", pattern_steps, NULL},
+        {"string", "gmatch", all_matches_steps, NULL}, {"string", "gsub", pattern_steps, NULL},
+        {"string", "rep", repetition_steps, NULL},     {"table", "move", move_steps, NULL},
+        {"table", "insert", length_steps, NULL},       {"table", "remove", length_steps, NULL},
+        {"table", "concat", length_steps, NULL},       {"table", "sort", length_steps, NULL}};
     const size_t count = sizeof functions / sizeof *functions;
     if (!functions[0].function) {
         lua_State *libraries = luaL_newstate();
@@ -140,8 +150,8 @@ static void counting_hook(lua_State *L, lua_Debug *event) {
     int top = lua_gettop(L);
     bool is_call = event->event == LUA_HOOKCALL || event->event == LUA_HOOKTAILCALL;
     current.hook(L, event);
-    if (++current.hook_calls > HOOK_CALLS_LIMIT ||
-        (is_call && library_steps(L, event) > LIBRARY_STEPS_LIMIT)) {
+    current.library_steps += is_call ? fmax(library_steps(L, event), 0) : 0;
+    if (++current.hook_calls > HOOK_CALLS_LIMIT || current.library_steps > LIBRARY_STEPS_LIMIT) {
         luaL_error(L, "the fuzzer's limit");
     }
     lua_settop(L, top);
@@ -209,6 +219,7 @@ bool fuzz_run_execute(FuzzRun *run, void (*execute)(ScriptRun *run)) {
     const ScriptResult *result = run->run.result;
     current.request = &run->request;
     current.hook_calls = 0;
+    current.library_steps = 0;
     current.is_running = true;
     execute(&run->run);
     current.is_running = false;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Writes the figures of README.md, README.fr.md, doc/web.md and doc/marching.md, between `<!-- figures: NAME -->` and `<!-- end -->`, from
-# the tables of doc/figures. `make bench`, `make peers` and `make bench-web` call it after measuring.
+# Writes the figures of README.md, README.fr.md, doc/web.md and doc/marching.md, between `<!-- figures: NAME -->` and
+# `<!-- end -->`, from the tables of doc/figures. `make bench`, `make peers` and `make bench-web` call it after measuring.
 #   doc/figures.sh [FOLDER]: writes the files there instead.
 set -eu
 export LC_ALL=C.UTF-8

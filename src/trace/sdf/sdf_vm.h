@@ -132,15 +132,12 @@ void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction);
 /** Result of a tape. See #SdfInstruction.execute. */
 void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction);
 
-/** Vectors of rays that are traced in turn or together: the processor begins the second before the
- *  first ends. Three were slower (measured). */
-enum { SDF_VECTORS = 2 };
 /** Most vectors of points that are evaluated together: a gradient by central differences needs so
  *  many. */
 enum { SDF_VECTORS_MAXIMUM = 6 };
 
 /** @return Whether a field is evaluated faster at several vectors of points together, by
- *          #sdf_mandelbulb_distances. */
+ *          #sdf_distances. */
 INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
     return program->count == 1 && program->instructions->execute == sdf_op_mandelbulb;
 }
@@ -156,6 +153,13 @@ INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
  */
 void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
                               int count, real *distances);
+
+/** #sdf_distance for several vectors of points, in a field for which #sdf_prefers_vectors. @param
+ *  count Number of vectors, up to #SDF_VECTORS_MAXIMUM. @param[out] distances Per vector. */
+INLINE void sdf_distances(const SdfProgram *program, const Vec3 *points, const mask *active,
+                          int count, real *distances) {
+    sdf_mandelbulb_distances(program->instructions->operands, points, active, count, distances);
+}
 
 /**
  * Translates the steps of a tape.

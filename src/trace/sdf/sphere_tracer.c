@@ -373,9 +373,12 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
 
 #if LANES > 1
 
-/** Finished rays of a vector from which on others take their places: a quarter or three quarters
- *  were slower (measured). */
-enum { MARCH_FREE_LANES = LANES / 2 };
+enum {
+    MARCH_VECTORS = 2, /**< Vectors that step in turn or together: the processor begins the step of
+                          one before that of the other ends. Three were slower (measured). */
+    MARCH_FREE_LANES = LANES / 2 /**< Finished rays of a vector from which on others take their
+                                      places: a quarter or three quarters were slower (measured). */
+};
 
 /** The rays of a packet while they are traced. */
 typedef struct MarchPacket {
@@ -440,7 +443,7 @@ INLINE void march_packet_run_in_turn(MarchPacket *march, SphereTrace *vectors) {
     bool is_unfinished = true;
     while (is_unfinished) {
         is_unfinished = false;
-        for (SphereTrace *trace = vectors; trace < vectors + SDF_VECTORS; trace++) {
+        for (SphereTrace *trace = vectors; trace < vectors + MARCH_VECTORS; trace++) {
             if (march_packet_fill(march, trace, is_repeated)) {
                 is_unfinished = true;
                 step_limit_counter_add(tracer->step_limit_counter,
@@ -473,20 +476,19 @@ static __attribute__((noinline)) void march_packet_end_step(MarchPacket *march, 
 /** Makes all steps of two vectors together, in a field without grid that prefers it. */
 static void march_packet_run_together(MarchPacket *march, SphereTrace *vectors) {
     for (;;) {
-        Vec3 points[SDF_VECTORS];
-        mask active[SDF_VECTORS];
-        real distances[SDF_VECTORS];
+        Vec3 points[MARCH_VECTORS];
+        mask active[MARCH_VECTORS];
+        real distances[MARCH_VECTORS];
         bool is_unfinished = false;
-        for (int v = 0; v < SDF_VECTORS; v++) {
+        for (int v = 0; v < MARCH_VECTORS; v++) {
             is_unfinished |= march_packet_begin_step(march, &vectors[v], &points[v]);
             active[v] = vectors[v].stepping;
         }
         if (!is_unfinished) {
             return;
         }
-        sdf_mandelbulb_distances(march->tracer->program.instructions->operands, points, active,
-                                 SDF_VECTORS, distances);
-        for (int v = 0; v < SDF_VECTORS; v++) {
+        sdf_distances(&march->tracer->program, points, active, MARCH_VECTORS, distances);
+        for (int v = 0; v < MARCH_VECTORS; v++) {
             march_packet_end_step(march, &vectors[v], &points[v], &distances[v]);
         }
     }
@@ -503,12 +505,12 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
     march.traces = traces;
     march.begun = 0;
     march.queue.count = 0;
-    SphereTrace vectors[SDF_VECTORS];
+    SphereTrace vectors[MARCH_VECTORS];
     const bool is_together = !tracer->grid.is_repeated && sdf_prefers_vectors(&tracer->program);
     if (is_together) {
         memset(vectors, 0, sizeof vectors); // One that gets no ray takes part in the steps.
     }
-    for (int v = 0; v < SDF_VECTORS; v++) {
+    for (int v = 0; v < MARCH_VECTORS; v++) {
         sphere_trace_set_spread(tracer, &vectors[v], is_shadow);
         vectors[v].stepping = vectors[v].seeking = vectors[v].entering = vectors[v].arrived =
             mask_of(false);

@@ -88,9 +88,18 @@ hold() {
 }
 # screen FILE: what the window shows.
 screen() { import -window "$window" "$work/$1.ppm"; }
-# settled: waits until the window shows the same twice.
+# settled: waits until the program and its processes sleep, and the window shows the same twice.
 settled() { within is_quiet; }
-is_quiet() { screen a && sleep 0.3 && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"; }
+is_quiet() {
+    is_asleep && screen a && sleep 0.3 && is_asleep && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"
+}
+is_asleep() {
+    local process
+    for process in $pid $(pgrep -P "$pid"); do
+        grep -qs ') R ' "/proc/$process"/task/*/stat && return 1
+    done
+    return 0
+}
 # shoot: takes a snapshot and sets `shot` to its path and `view` to its scene text.
 shoot() {
     local before

@@ -650,9 +650,10 @@ leave
 
 # --- with a window manager -----------------------------------------------------------------------
 if command -v openbox >/dev/null; then
-    openbox >/dev/null 2>&1 &
+    # A manager that starts while a window opens takes the focus away from it.
+    openbox --startup "touch $work/managed" >/dev/null 2>&1 &
     manager=$!
-    sleep 0.5
+    within [ -e "$work/managed" ]
     open "$box"
     xdotool key F11
     expect_shown '1280×960.*finished' 'F11 fills the screen, with the ratio of the picture'

@@ -3,15 +3,19 @@
  * @brief What a packet knows of all its rays changes no bit of them.
  *
  * Engines of several lanes ask once for a packet of camera rays which shapes it may meet, whether a
- * quad covers it, and whether anything is between it and a lamp. Engines of one lane ask for each
- * ray, so they are the reference. The rooms are the bad cases: edges that run through packets,
- * slivers thinner than a pixel before walls and lamps, shapes that touch, lamps at a wall, wide and
- * narrow fields of view, grids whose last packets are not full.
+ * quad covers it, whether anything is between it and a lamp, and which shape its shadow rays leave.
+ * Engines of one lane ask for each ray, so they are the reference. The rooms are the bad cases:
+ * edges that run through packets, slivers thinner than a pixel before walls and lamps, shapes that
+ * touch, lamps at a wall, wide and narrow fields of view, grids whose last packets are not full.
  */
 #include "bvh_queries.h"
 
 /** Rooms that are drawn. */
 enum { ROOMS = 4000 };
+
+/** A room with a lamp in the plane of a quad, where the cosine says that it shines on the quad, and
+ *  the shadow rays say that it does not. */
+enum { ROOM_OF_ROUNDINGS = 19746 };
 
 /** Most columns and rows of a grid. */
 enum { MOST = 40 };
@@ -50,7 +54,52 @@ static void room_quad(Scene *scene, uint64_t *state, Vec3d corner, Vec3d u, Vec3
     add_shape(scene, "quad", &quad);
 }
 
-/** Adds a shape in a room: a panel, a sliver, a ball or a box. */
+/** Adds a lamp. */
+static void room_lamp_at(Scene *scene, uint64_t *state, Vec3d position) {
+    Error error = {0};
+    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
+    light.position = position;
+    light.falloff = random_unit_double(state) < 0.5 ? FALLOFF_INVERSE_SQUARE : light.falloff;
+    assert_true(scene_add_light(scene, &light, &error));
+}
+
+/** Adds a lamp, often near the floor or the ceiling: there its directions differ most. */
+static void room_lamp(Scene *scene, uint64_t *state) {
+    Vec3d position = room_point(state);
+    if (random_unit_double(state) < 0.5) {
+        double height = exp2(-12 * random_unit_double(state));
+        position.y = random_unit_double(state) < 0.25 ? HALF - height : height - HALF;
+    }
+    room_lamp_at(scene, state, position);
+}
+
+/** Adds a ball or a box: small ones, and some in which cameras and lamps may be. */
+static void room_solid(Scene *scene, uint64_t *state, Vec3d at, double thin) {
+    double size = random_unit_double(state) < 0.5 ? thin : 4 * random_unit_double(state) + thin;
+    room_material(scene, state);
+    if (random_unit_double(state) < 0.5) {
+        SphereParameters sphere = {at, 0.5 * size};
+        add_shape(scene, "sphere", &sphere);
+    } else {
+        BoxParameters box = {at, vec3d_add(at, (Vec3d){0.5, 0.5 * size, 0.25})};
+        add_shape(scene, "box", &box);
+    }
+}
+
+/** Adds a disk, or a plane through the room. */
+static void room_flat(Scene *scene, uint64_t *state, Vec3d at, Vec3d to, double thin) {
+    Vec3d normal = {to.y, 0.5 - to.x, to.z};
+    room_material(scene, state);
+    if (random_unit_double(state) < 0.75) {
+        DiskParameters disk = {at, normal, thin};
+        add_shape(scene, "disk", &disk);
+    } else {
+        PlaneParameters plane = {at, normal};
+        add_shape(scene, "plane", &plane);
+    }
+}
+
+/** Adds a shape in a room: a panel, a sliver, a solid or a disk. */
 static void room_shape(Scene *scene, uint64_t *state) {
     double kind = random_unit_double(state), thin = exp2(-14 * random_unit_double(state));
     Vec3d at = room_point(state), to = vec3d_subtract(room_point(state), at);
@@ -61,29 +110,16 @@ static void room_shape(Scene *scene, uint64_t *state) {
     if (kind < 0.6) {
         Vec3d across = {to.y, -to.x, 0.25};
         room_quad(scene, state, at, to, vec3d_scale(across, kind < 0.3 ? thin : 1));
+        if (kind < 0.1) { // In its plane: roundings decide whether it shines on it.
+            room_lamp_at(scene, state, vec3d_add(at, vec3d_scale(to, 1.5)));
+        }
         return;
     }
-    room_material(scene, state);
-    if (kind < 0.8) {
-        SphereParameters sphere = {at, 0.5 * thin};
-        add_shape(scene, "sphere", &sphere);
+    if (kind < 0.9) {
+        room_solid(scene, state, at, thin);
     } else {
-        BoxParameters box = {at, vec3d_add(at, (Vec3d){0.5, 0.5 * thin, 0.25})};
-        add_shape(scene, "box", &box);
+        room_flat(scene, state, at, to, thin);
     }
-}
-
-/** Adds a lamp, often near the floor or the ceiling: there its directions differ most. */
-static void room_lamp(Scene *scene, uint64_t *state) {
-    Error error = {0};
-    SceneLight light = *(const SceneLight *)scene_light_keyword.defaults;
-    light.position = room_point(state);
-    if (random_unit_double(state) < 0.5) {
-        double height = exp2(-12 * random_unit_double(state));
-        light.position.y = random_unit_double(state) < 0.25 ? HALF - height : height - HALF;
-    }
-    light.falloff = random_unit_double(state) < 0.5 ? FALLOFF_INVERSE_SQUARE : light.falloff;
-    assert_true(scene_add_light(scene, &light, &error));
 }
 
 /** Turns a camera into a room, in one of four rooms exactly along an axis. */
@@ -176,6 +212,7 @@ static void draw_rooms(const Engine *first) {
         for (int room = 0; room < ROOMS / WORKLOAD_DIVISOR; room++) {
             draw_room(first, room);
         }
+        draw_room(first, ROOM_OF_ROUNDINGS);
     }
 }
 

@@ -54,8 +54,10 @@ void shape_set_deinit(ShapeSet *set);
 Aabbd shape_set_bounds(const ShapeSet *set);
 
 /** @return Whether rays within intervals may meet a shape; true where a tree would have to be
- *  searched, and for engines of one lane, whose rays have no intervals. */
-bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals);
+ *  searched, and for engines of one lane, whose rays have no intervals. @param excluded A shape
+ * that no ray meets; NULL: there is none. */
+bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
+                        const Shape *excluded);
 
 /** The shapes that the rays of a beam may meet. */
 typedef struct BeamCandidates {
@@ -77,10 +79,11 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
  * Finds the rays of a packet that meet any shape before their limit.
  * @param packet         The rays, at least one active.
  * @param intervals      Those of the packet; NULL: not known.
+ * @param excluded       A shape that no ray meets; NULL: there is none.
  * @param[out] occluded  The occluded rays, per vector.
  */
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *intervals,
-                        mask *occluded);
+                        const Shape *excluded, mask *occluded);
 
 /** Called for each shape that rays may meet. @param v Index of the vector of rays. */
 typedef void (*ShapeVisitor)(const Shape *shape, const Packet *packet, int v, mask active,

@@ -41,6 +41,17 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
+/** @return The candidates without a shape. @param remaining As bits. @param excluded NULL: none. */
+INLINE unsigned candidates_without(const ShapeSet *set, size_t pack, unsigned remaining,
+                                   const Shape *excluded) {
+    unsigned others = remaining;
+    for (; excluded && remaining; remaining &= remaining - 1) {
+        int i = __builtin_ctz(remaining);
+        others &= linear_shape(set, pack, i) == excluded ? ~(1u << i) : ~0u;
+    }
+    return others;
+}
+
 /** Removes the nearest candidate: its hit can rule out others. @return Its index in the pack. */
 INLINE int candidates_pop_nearest(Candidates *candidates) {
     int best = __builtin_ctz(candidates->remaining);
@@ -108,16 +119,23 @@ static void leaf_closest_hits(const void *items, BvhLeaf leaf, const BvhLeafRays
     rays->limits[rays->vector] = hit->distance;
 }
 
+/** What #leaf_occluded finds. */
+typedef struct OcclusionQuery {
+    const Shape *excluded; /**< A shape that no ray meets; NULL: there is none. */
+    mask *occluded;        /**< The occluded rays, per vector. */
+} OcclusionQuery;
+
 /** Finds the rays that a leaf occludes. See #BvhIntersector.intersect_leaf. */
 static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *rays, void *found) {
     const ShapeSet *set = items;
+    const OcclusionQuery *query = found;
     const Ray *ray = &rays->packet->rays[rays->vector];
     real limit = rays->packet->limit[rays->vector];
-    mask *occluded = (mask *)found + rays->vector, active = mask_of_bits(rays->lane_bits);
+    mask *occluded = &query->occluded[rays->vector], active = mask_of_bits(rays->lane_bits);
     for (size_t i = leaf.first_block; i < leaf.first_block + leaf.block_count; i++) {
         const Shape *shape = set->shapes[set->bvh.item_indices[i]];
         mask pending = active & mask_not(*occluded);
-        if (any(pending)) {
+        if (shape != query->excluded && any(pending)) {
             *occluded |= shape->class->is_occluding(shape, ray, pending, limit);
         }
     }
@@ -138,11 +156,12 @@ static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet,
     }
 }
 
-/** Finds the rays that the BVH occludes, if there is one. @param[in,out] occluded The occluded
- * rays.
- */
+/** Finds the rays that the BVH occludes, if there is one. @param excluded A shape that no ray
+ * meets.
+ *  @param[in,out] occluded The occluded rays. */
 static void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
-                             const PacketIntervals *intervals, mask *occluded) {
+                             const PacketIntervals *intervals, const Shape *excluded,
+                             mask *occluded) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
     real limits[PACKET_VECTORS];
@@ -150,7 +169,8 @@ static void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
         for (int v = 0; v < PACKET_VECTORS; v++) {
             limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
         }
-        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, occluded);
+        OcclusionQuery query = {excluded, occluded};
+        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, &query);
     }
 }
 
@@ -219,7 +239,7 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         unsigned remaining =
             single_ray_candidates(set, packet, &order, hits[0].distance, pack, near);
-        for (int i = 0; i < linear_pack_size(set, pack); i++) {
+        for (int i = 0; remaining >> i; i++) {
             // A hit rules out all boxes behind it.
             if (remaining >> i & 1 && pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
                 shape_closest_hits(linear_shape(set, pack, i), 0, packet, hits);
@@ -230,20 +250,22 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
 }
 
 /** #shape_set_occluded for a packet of one ray. */
-INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
+INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, const Shape *excluded,
+                                mask *occluded) {
     const SlabOrder order = single_ray_slab_order(packet);
     PackReal near[PACK_VECTORS];
     occluded[0] = mask_of(false);
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count) && !any(occluded[0]); pack++) {
         unsigned remaining =
             single_ray_candidates(set, packet, &order, packet->limit[0], pack, near);
-        for (int i = 0; i < linear_pack_size(set, pack) && !any(occluded[0]); i++) {
-            if (remaining >> i & 1) {
-                shape_occluded(linear_shape(set, pack, i), packet, occluded);
+        for (int i = 0; remaining >> i && !any(occluded[0]); i++) {
+            const Shape *shape = linear_shape(set, pack, i);
+            if (remaining >> i & 1 && shape != excluded) {
+                shape_occluded(shape, packet, occluded);
             }
         }
     }
-    set_bvh_occluded(set, packet, &no_intervals, occluded);
+    set_bvh_occluded(set, packet, &no_intervals, excluded, occluded);
 }
 
 /* --- all shapes ------------------------------------------------------------------------------ */
@@ -257,10 +279,12 @@ static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) 
                                                       : packet_intervals(packet);
 }
 
-bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals) {
+bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
+                        const Shape *excluded) {
     bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t pack = 0; !may_meet && pack < aabb_pack_count(set->linear_count); pack++) {
-        may_meet = linear_candidates(set, intervals, pack).remaining != 0;
+        unsigned remaining = linear_candidates(set, intervals, pack).remaining;
+        may_meet = candidates_without(set, pack, remaining, excluded) != 0;
     }
     return may_meet;
 }
@@ -306,9 +330,9 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
 }
 
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *known,
-                        mask *occluded) {
+                        const Shape *excluded, mask *occluded) {
     if (LANES == 1) {
-        single_ray_occluded(set, packet, occluded);
+        single_ray_occluded(set, packet, excluded, occluded);
         return;
     }
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);
@@ -318,12 +342,13 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
         occluded[v] = mask_of(false);
     }
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
-        unsigned remaining = linear_candidates(set, &intervals, pack).remaining;
+        unsigned remaining = candidates_without(
+            set, pack, linear_candidates(set, &intervals, pack).remaining, excluded);
         for (; remaining; remaining &= remaining - 1) {
             shape_occluded(linear_shape(set, pack, __builtin_ctz(remaining)), packet, occluded);
         }
     }
-    set_bvh_occluded(set, packet, &intervals, occluded);
+    set_bvh_occluded(set, packet, &intervals, excluded, occluded);
 }
 
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found) {

@@ -118,15 +118,63 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
 }
 
-/** @return Whether surely no shape is in the way of rays to a point of a light. @param[out]
- *  intervals Those of the rays; not in engines of one lane. */
-INLINE bool light_sample_is_clear(const ShapeSet *shapes, const LightSample *sample,
-                                  PacketIntervals *intervals) {
+/** @return The first shape that shadow rays start at. @param shapes All of the scene. */
+INLINE const Shape *light_sample_first_shape(const ShapeSet *shapes, const SurfaceHit *surface,
+                                             const LightSample *sample) {
+    int v = 0;
+    while (!any(sample->shadow_rays.active[v])) {
+        v++;
+    }
+    int lane = mask_first(sample->shadow_rays.active[v]);
+    return shapes->shapes[integer_at(&surface->hits[v].shape, lane)];
+}
+
+/** Least cosine between a normal and a ray that surely leaves: more than the roundings of both,
+ *  which decide on which side of a surface a light in its plane is. */
+#define LEAVING_SLACK (64 * ROUNDOFF)
+
+/** @return The shadow rays that may meet the shape again at which they start. @param v Which
+ *          vector of points. @param shape A convex or flat one. */
+INLINE mask light_sample_may_return(const Shape *shape, const SurfaceHit *surface,
+                                    const LightSample *sample, int v) {
+    mask leaves = sample->cosine[v] > LEAVING_SLACK;
+    mask is_outside = vec3_dot(surface->n_front[v], surface->hits[v].normal) > 0;
+    leaves &= shape->class->form == FORM_CONVEX ? is_outside : mask_of(true);
+    return sample->shadow_rays.active[v] & mask_not(leaves);
+}
+
+/**
+ * @return The shape that all shadow rays leave and none meets again; NULL: nobody knows of one.
+ *         Engines of one lane test each ray. Only origins beyond the error bound of the hit are
+ *         surely beside the surface.
+ * @param shapes  All shapes of the scene.
+ * @param sample  The rays, at least one active; they start on the side of #SurfaceHit.n_front.
+ */
+static const Shape *light_sample_left_shape(const ShapeSet *shapes, const RayOffset *offset,
+                                            const SurfaceHit *surface, const LightSample *sample) {
+    if (LANES == 1 || offset->strategy != OFFSET_BOUND) {
+        return NULL;
+    }
+    const Shape *shape = light_sample_first_shape(shapes, surface, sample);
+    bool all_leave = shape->class->form != FORM_ANY;
+    for (int v = 0; v < PACKET_VECTORS && all_leave; v++) {
+        const mask active = sample->shadow_rays.active[v];
+        mask is_elsewhere = mask_not(surface->hits[v].shape == integer_of(shape->index));
+        all_leave = !any(active) || (!any(active & is_elsewhere) &&
+                                     !any(light_sample_may_return(shape, surface, sample, v)));
+    }
+    return all_leave ? shape : NULL;
+}
+
+/** @return Whether surely no shape is in the way of rays to a point of a light. @param excluded See
+ *  shape_set_may_meet(). @param[out] intervals Those of the rays; not in engines of one lane. */
+INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
+                                  const LightSample *sample, PacketIntervals *intervals) {
     if (LANES == 1) {
         return false;
     }
     *intervals = packet_intervals_to_point(&sample->shadow_rays, sample->target);
-    return !shape_set_may_meet(shapes, intervals);
+    return !shape_set_may_meet(shapes, intervals, excluded);
 }
 
 /**
@@ -137,9 +185,10 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const LightSample *sam
 static void light_sample_trace(const ShapeSet *shapes, const Light *light, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample, mask *occluded) {
     const ShapeSet *opaque = surface->interior ? &surface->dielectrics->opaque : shapes;
+    const Shape *excluded = light_sample_left_shape(shapes, offset, surface, sample);
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
-    bool is_clear = sample->target && light_sample_is_clear(opaque, sample, &intervals);
+    bool is_clear = sample->target && light_sample_is_clear(opaque, excluded, sample, &intervals);
     if (sample->target &&
         (!is_clear || surface->interior || light->methods || surface->packet->context.recorders)) {
         light_sample_aim(sample);
@@ -154,7 +203,7 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
         }
     } else {
         shape_set_occluded(opaque, &sample->shadow_rays, has_intervals ? &intervals : NULL,
-                           occluded);
+                           excluded, occluded);
     }
     if (surface->interior) {
         shadow_transmittance_find(shapes, offset, surface, &sample->shadow_rays, occluded,

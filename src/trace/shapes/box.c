@@ -166,6 +166,7 @@ static TextureUv box_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
 /** Methods of `box`. */
 const ShapeClass box_class = {
     .size = sizeof(Box),
+    .form = FORM_CONVEX,
     .init = box_init,
     .is_hit = box_is_hit,
     .is_occluding = box_is_occluding,

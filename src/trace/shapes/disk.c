@@ -77,6 +77,7 @@ static TextureUv disk_texture_uv(const Shape *self, const Hit *hit, mask lanes) 
 /** Methods of `disk`. */
 const ShapeClass disk_class = {
     .size = sizeof(Disk),
+    .form = FORM_FLAT,
     .init = disk_init,
     .is_hit = disk_is_hit,
     .is_occluding = disk_is_occluding,

@@ -89,6 +89,7 @@ static TextureUv plane_texture_uv(const Shape *self, const Hit *hit, mask lanes)
 /** Methods of `plane`. */
 const ShapeClass plane_class = {
     .size = sizeof(Plane),
+    .form = FORM_FLAT,
     .init = plane_init,
     .is_hit = plane_is_hit,
     .is_occluding = plane_is_occluding,

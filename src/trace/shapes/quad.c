@@ -106,6 +106,7 @@ static TextureUv quad_texture_uv(const Shape *self, const Hit *hit, mask lanes) 
 /** Methods of `quad`. */
 const ShapeClass quad_class = {
     .size = sizeof(Quad),
+    .form = FORM_FLAT,
     .init = quad_init,
     .is_hit = quad_is_hit,
     .is_occluding = quad_is_occluding,

@@ -81,9 +81,18 @@ typedef struct ShapeExtension {
     real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit, MarchLog *log);
 } ShapeExtension;
 
+/** Whether rays that leave a shape, from beyond the error bound of the hit, may meet it again. */
+typedef enum ShapeForm {
+    FORM_ANY,    /**< They may. */
+    FORM_CONVEX, /**< The surface of a convex solid: not those that leave it outwards. */
+    FORM_FLAT    /**< A part of a plane: none. */
+} ShapeForm;
+
 /** The table of methods of a class of shapes. */
 typedef struct ShapeClass {
     size_t size; /**< Bytes of an object, a multiple of its alignment. */
+
+    ShapeForm form; /**< Whether rays that leave the shape may meet it again. */
 
     /**
      * Initialises an object. Its base is already filled.

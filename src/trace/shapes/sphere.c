@@ -136,6 +136,7 @@ static TextureUv sphere_texture_uv(const Shape *self, const Hit *hit, mask lanes
 /** Methods of `sphere`. */
 const ShapeClass sphere_class = {
     .size = sizeof(Sphere),
+    .form = FORM_CONVEX,
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,

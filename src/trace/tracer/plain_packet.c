@@ -114,7 +114,7 @@ static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, 
         }
         const PacketIntervals intervals =
             intervals_to_point(light.low, light.high, &lamp->position, 1);
-        if (!light.is_all_lit || shape_set_may_meet(&tracer->shapes, &intervals)) {
+        if (!light.is_all_lit || shape_set_may_meet(&tracer->shapes, &intervals, NULL)) {
             return false;
         }
         plain_light_add(lamp, &light, diffuse);

@@ -102,7 +102,7 @@ void query_occluded(const Tracer *tracer, size_t count, const RayQuery *rays, bo
         mask occluded_lanes[PACKET_VECTORS];
         size_t fill = packet_fill_count(count, done);
         ray_queries_pack(rays + done, fill, tracer->origin, &packet);
-        shape_set_occluded(&tracer->shapes, &packet, NULL, occluded_lanes);
+        shape_set_occluded(&tracer->shapes, &packet, NULL, NULL, occluded_lanes);
         for (size_t i = 0; i < fill; i++) {
             occluded[done + i] = mask_lane(occluded_lanes[i / LANES], (int)(i % LANES));
         }
@@ -147,7 +147,7 @@ void query_intersect(const Tracer *tracer, size_t count, const RayQueryQuad *que
         size_t fill = packet_fill_count(count, done);
         quad_queries_pack(queries + done, fill, tracer->origin, &packet);
         shape_set_closest_hits(&tracer->shapes, &packet, hits);
-        shape_set_occluded(&tracer->shapes, &packet, NULL, occluded);
+        shape_set_occluded(&tracer->shapes, &packet, NULL, NULL, occluded);
         for (size_t i = 0; i < fill; i++) {
             results[done + i] = ray_result_of(tracer->origin, &hits[i / LANES], occluded[i / LANES],
                                               (int)(i % LANES));

@@ -177,7 +177,7 @@ static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid) {
     }
     const Beam beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
     const PacketIntervals intervals = beam_intervals(&beam);
-    return !shape_set_may_meet(&tracer->shapes, &intervals);
+    return !shape_set_may_meet(&tracer->shapes, &intervals, NULL);
 }
 
 /** Fills a grid with the light of the sky. */

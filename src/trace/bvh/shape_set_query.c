@@ -142,36 +142,35 @@ static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *ra
     rays->limits[rays->vector] = real_select(*occluded, real_of(-1), limit);
 }
 
-/** Finds the closest hits in the BVH, if there is one. @param[in,out] hits Nearest hits so far. */
-static void set_bvh_closest_hits(const ShapeSet *set, const Packet *packet,
-                                 const PacketIntervals *intervals, Hit *hits) {
+/** Finds the closest hits in the BVH. It is not inlined: a set without one pays nothing.
+ * @param[in,out] hits Nearest hits so far. */
+static __attribute__((noinline)) void set_bvh_closest_hits(const ShapeSet *set,
+                                                           const Packet *packet,
+                                                           const PacketIntervals *intervals,
+                                                           Hit *hits) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
     real limits[PACKET_VECTORS];
-    if (set->bvh.nodes) {
-        for (int v = 0; v < PACKET_VECTORS; v++) {
-            limits[v] = hits[v].distance;
-        }
-        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, hits);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = hits[v].distance;
     }
+    bvh_traverse(&set->bvh, packet, intervals, limits, &callback, hits);
 }
 
-/** Finds the rays that the BVH occludes, if there is one. @param excluded A shape that no ray
+/** Finds the rays that the BVH occludes; not inlined, either. @param excluded A shape that no ray
  * meets.
  *  @param[in,out] occluded The occluded rays. */
-static void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
-                             const PacketIntervals *intervals, const Shape *excluded,
-                             mask *occluded) {
+static __attribute__((noinline)) void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
+                                                       const PacketIntervals *intervals,
+                                                       const Shape *excluded, mask *occluded) {
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
     real limits[PACKET_VECTORS];
-    if (set->bvh.nodes) {
-        for (int v = 0; v < PACKET_VECTORS; v++) {
-            limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
-        }
-        OcclusionQuery query = {excluded, occluded};
-        bvh_traverse(&set->bvh, packet, intervals, limits, &callback, &query);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
     }
+    OcclusionQuery query = {excluded, occluded};
+    bvh_traverse(&set->bvh, packet, intervals, limits, &callback, &query);
 }
 
 /** Arguments of #shape_set_visit. */
@@ -246,7 +245,9 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
             }
         }
     }
-    set_bvh_closest_hits(set, packet, &no_intervals, hits);
+    if (set->bvh.nodes) {
+        set_bvh_closest_hits(set, packet, &no_intervals, hits);
+    }
 }
 
 /** #shape_set_occluded for a packet of one ray. */
@@ -265,7 +266,9 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, const
             }
         }
     }
-    set_bvh_occluded(set, packet, &no_intervals, excluded, occluded);
+    if (set->bvh.nodes) {
+        set_bvh_occluded(set, packet, &no_intervals, excluded, occluded);
+    }
 }
 
 /* --- all shapes ------------------------------------------------------------------------------ */
@@ -326,7 +329,9 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
             shape_closest_hits(shape, real_lane(candidates.near, i), packet, hits);
         }
     }
-    set_bvh_closest_hits(set, packet, &intervals, hits);
+    if (set->bvh.nodes) {
+        set_bvh_closest_hits(set, packet, &intervals, hits);
+    }
 }
 
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *known,
@@ -348,7 +353,9 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
             shape_occluded(linear_shape(set, pack, __builtin_ctz(remaining)), packet, occluded);
         }
     }
-    set_bvh_occluded(set, packet, &intervals, excluded, occluded);
+    if (set->bvh.nodes) {
+        set_bvh_occluded(set, packet, &intervals, excluded, occluded);
+    }
 }
 
 void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor visitor, void *found) {

@@ -49,10 +49,8 @@ void textures_deinit(Textures *textures) {
 
 /** The positions of LANES points along one axis of a texture. */
 typedef struct TexelAxis {
-    real first;    /**< The texel whose centre is just before; -1 to #size - 1. */
-    real fraction; /**< Position between that centre and the next, 0 to 1. */
-    mask wraps;    /**< Whether the first texel follows the last. */
-    int size;      /**< Number of texels. */
+    real texels[2]; /**< The texels whose centres are just before and behind: whole numbers. */
+    real fraction;  /**< Position between those centres, 0 to 1. */
 } TexelAxis;
 
 /**
@@ -62,20 +60,15 @@ typedef struct TexelAxis {
  * @param size  Number of texels.
  */
 INLINE TexelAxis texel_axis_of(real position, mask wraps, int size) {
+    const real zero = real_of(0), last = real_of((scalar)(size - 1));
     position = real_select(wraps, position - real_floor(position), position);
-    position = real_min(real_max(position, real_of(0)), real_of(1)); // NaN becomes 0.
+    position = real_min(real_max(position, zero), real_of(1)); // NaN becomes 0.
     real texel = position * (scalar)size - (scalar)0.5f;
-    real first = real_floor(texel);
-    return (TexelAxis){first, texel - first, wraps, size};
-}
-
-/** @return The texel before a point, or the next one. */
-INLINE size_t texel_axis_at(const TexelAxis *row, int lane, bool next) {
-    int texel = (int)real_lane(row->first, lane) + next, last = row->size - 1;
-    bool is_wrapped = mask_lane(row->wraps, lane);
-    return (size_t)(texel < 0      ? (is_wrapped ? last : 0)
-                    : texel > last ? (is_wrapped ? 0 : last)
-                                   : texel);
+    real first = real_floor(texel), next = first + 1;
+    // Beyond the edge is the texel of the other edge, or that of this one.
+    real before = real_select(first < 0, real_select(wraps, last, zero), first);
+    real behind = real_select(next > last, real_select(wraps, zero, last), next);
+    return (TexelAxis){{before, behind}, texel - first};
 }
 
 /** @return The linear colour of a texel. @param row Its row, from the top. */
@@ -106,10 +99,10 @@ static Rgb texture_sample_bilinear(const Textures *textures, const Texture *text
     TexelAxis y_axis = texel_axis_of(1 - uv->v, uv->wrap_v, texture->height);
     for (unsigned remaining = mask_bits(lanes); remaining; remaining &= remaining - 1) {
         int lane = __builtin_ctz(remaining);
-        size_t columns[2] = {texel_axis_at(&x_axis, lane, 0), texel_axis_at(&x_axis, lane, 1)};
-        size_t rows[2] = {texel_axis_at(&y_axis, lane, 0), texel_axis_at(&y_axis, lane, 1)};
         for (int k = 0; k < 4; k++) {
-            Rgbs color = texel_color(textures, texture, columns[k & 1], rows[k >> 1]);
+            size_t column = (size_t)(int)real_at(&x_axis.texels[k & 1], lane);
+            size_t row = (size_t)(int)real_at(&y_axis.texels[k >> 1], lane);
+            Rgbs color = texel_color(textures, texture, column, row);
             real_set_lane(&texels[k].red, lane, color.red);
             real_set_lane(&texels[k].green, lane, color.green);
             real_set_lane(&texels[k].blue, lane, color.blue);

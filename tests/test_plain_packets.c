@@ -110,7 +110,7 @@ static void room_shape(Scene *scene, uint64_t *state) {
     if (kind < 0.6) {
         Vec3d across = {to.y, -to.x, 0.25};
         room_quad(scene, state, at, to, vec3d_scale(across, kind < 0.3 ? thin : 1));
-        if (kind < 0.1) { // In its plane: roundings decide whether it shines on it.
+        if (kind < 0.1) { // In the quad's plane: roundings decide whether the lamp shines on it.
             room_lamp_at(scene, state, vec3d_add(at, vec3d_scale(to, 1.5)));
         }
         return;

@@ -55,7 +55,7 @@ Aabbd shape_set_bounds(const ShapeSet *set);
 
 /** @return Whether rays within intervals may meet a shape; true where a tree would have to be
  *  searched, and for engines of one lane, whose rays have no intervals. @param excluded A shape
- * that no ray meets; NULL: there is none. */
+ *  that no ray meets; NULL: there is none. */
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
                         const Shape *excluded);
 

@@ -41,7 +41,8 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
-/** @return The candidates without a shape. @param remaining As bits. @param excluded NULL: none. */
+/** @return The bits of the candidates without a shape. @param remaining Those with it. @param
+ * excluded The shape; NULL: there is none. */
 INLINE unsigned candidates_without(const ShapeSet *set, size_t pack, unsigned remaining,
                                    const Shape *excluded) {
     unsigned others = remaining;
@@ -143,7 +144,7 @@ static void leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRays *ra
 }
 
 /** Finds the closest hits in the BVH. It is not inlined: a set without one pays nothing.
- * @param[in,out] hits Nearest hits so far. */
+ *  @param[in,out] hits Nearest hits so far. */
 static __attribute__((noinline)) void set_bvh_closest_hits(const ShapeSet *set,
                                                            const Packet *packet,
                                                            const PacketIntervals *intervals,
@@ -157,8 +158,8 @@ static __attribute__((noinline)) void set_bvh_closest_hits(const ShapeSet *set,
     bvh_traverse(&set->bvh, packet, intervals, limits, &callback, hits);
 }
 
-/** Finds the rays that the BVH occludes; not inlined, either. @param excluded A shape that no ray
- * meets.
+/** Finds the rays that the BVH occludes; not inlined, either.
+ *  @param excluded A shape that no ray meets; NULL: there is none.
  *  @param[in,out] occluded The occluded rays. */
 static __attribute__((noinline)) void set_bvh_occluded(const ShapeSet *set, const Packet *packet,
                                                        const PacketIntervals *intervals,

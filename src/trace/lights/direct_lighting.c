@@ -129,12 +129,12 @@ INLINE const Shape *light_sample_first_shape(const ShapeSet *shapes, const Surfa
     return shapes->shapes[integer_at(&surface->hits[v].shape, lane)];
 }
 
-/** Least cosine between a normal and a ray that surely leaves: more than the roundings of both,
- *  which decide on which side of a surface a light in its plane is. */
+/** Least cosine between a normal and a ray that surely leaves: more than its roundings, which
+ *  decide on which side of a surface a light in its plane is. */
 #define LEAVING_SLACK (64 * ROUNDOFF)
 
-/** @return The shadow rays that may meet the shape again at which they start. @param v Which
- *          vector of points. @param shape A convex or flat one. */
+/** @return The shadow rays that may meet again the shape at which they start. @param shape A convex
+ *          or flat one. @param v Which vector of points. */
 INLINE mask light_sample_may_return(const Shape *shape, const SurfaceHit *surface,
                                     const LightSample *sample, int v) {
     mask leaves = sample->cosine[v] > LEAVING_SLACK;
@@ -146,13 +146,15 @@ INLINE mask light_sample_may_return(const Shape *shape, const SurfaceHit *surfac
 /**
  * @return The shape that all shadow rays leave and none meets again; NULL: nobody knows of one.
  *         Engines of one lane test each ray. Only origins beyond the error bound of the hit are
- *         surely beside the surface.
+ *         surely beside the surface; and a ray that a report's method extends beyond the light may
+ *         return, if the light is nearer to the surface than that bound.
  * @param shapes  All shapes of the scene.
  * @param sample  The rays, at least one active; they start on the side of #SurfaceHit.n_front.
  */
-static const Shape *light_sample_left_shape(const ShapeSet *shapes, const RayOffset *offset,
-                                            const SurfaceHit *surface, const LightSample *sample) {
-    if (LANES == 1 || offset->strategy != OFFSET_BOUND) {
+static const Shape *light_sample_left_shape(const ShapeSet *shapes, const Light *light,
+                                            const RayOffset *offset, const SurfaceHit *surface,
+                                            const LightSample *sample) {
+    if (LANES == 1 || offset->strategy != OFFSET_BOUND || light->methods) {
         return NULL;
     }
     const Shape *shape = light_sample_first_shape(shapes, surface, sample);
@@ -185,7 +187,7 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
 static void light_sample_trace(const ShapeSet *shapes, const Light *light, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample, mask *occluded) {
     const ShapeSet *opaque = surface->interior ? &surface->dielectrics->opaque : shapes;
-    const Shape *excluded = light_sample_left_shape(shapes, offset, surface, sample);
+    const Shape *excluded = light_sample_left_shape(shapes, light, offset, surface, sample);
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
     bool is_clear = sample->target && light_sample_is_clear(opaque, excluded, sample, &intervals);

@@ -93,6 +93,7 @@ settled() { within is_quiet; }
 is_quiet() {
     is_asleep && screen a && sleep 0.3 && is_asleep && screen b && cmp -s "$work/a.ppm" "$work/b.ppm"
 }
+# is_asleep: whether no thread of the program or of the processes that it has started is running.
 is_asleep() {
     local process
     for process in $pid $(pgrep -P "$pid"); do

@@ -13,8 +13,8 @@
 /** Rooms that are drawn. */
 enum { ROOMS = 4000 };
 
-/** A room with a lamp in the plane of a quad, where the cosine says that it shines on the quad, and
- *  the shadow rays say that it does not. */
+/** A room with a lamp that hardly faces a surface: its cosine is above 0 by rounding alone, and its
+ *  shadow rays meet the surface. */
 enum { ROOM_OF_ROUNDINGS = 19746 };
 
 /** Most columns and rows of a grid. */

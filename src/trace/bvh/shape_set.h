@@ -79,7 +79,8 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
  * Finds the rays of a packet that meet any shape before their limit.
  * @param packet         The rays, at least one active.
  * @param intervals      Those of the packet; NULL: not known.
- * @param excluded       A shape that no ray meets; NULL: there is none.
+ * @param excluded       A shape that no ray meets, which need not be tested; NULL: there is none.
+ *                       Engines of one lane test all.
  * @param[out] occluded  The occluded rays, per vector.
  */
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *intervals,

@@ -252,8 +252,7 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
 }
 
 /** #shape_set_occluded for a packet of one ray. */
-INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, const Shape *excluded,
-                                mask *occluded) {
+INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
     const SlabOrder order = single_ray_slab_order(packet);
     PackReal near[PACK_VECTORS];
     occluded[0] = mask_of(false);
@@ -261,14 +260,13 @@ INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, const
         unsigned remaining =
             single_ray_candidates(set, packet, &order, packet->limit[0], pack, near);
         for (int i = 0; remaining >> i && !any(occluded[0]); i++) {
-            const Shape *shape = linear_shape(set, pack, i);
-            if (remaining >> i & 1 && shape != excluded) {
-                shape_occluded(shape, packet, occluded);
+            if (remaining >> i & 1) {
+                shape_occluded(linear_shape(set, pack, i), packet, occluded);
             }
         }
     }
     if (set->bvh.nodes) {
-        set_bvh_occluded(set, packet, &no_intervals, excluded, occluded);
+        set_bvh_occluded(set, packet, &no_intervals, NULL, occluded);
     }
 }
 
@@ -338,7 +336,7 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
 void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketIntervals *known,
                         const Shape *excluded, mask *occluded) {
     if (LANES == 1) {
-        single_ray_occluded(set, packet, excluded, occluded);
+        single_ray_occluded(set, packet, occluded);
         return;
     }
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);

@@ -1,10 +1,11 @@
 /**
  * @file
- * @brief Tests of the list of scenes: names and titles of files, and thumbnails that are kept.
+ * @brief Tests of the list of scenes: names and titles of files, thumbnails that are kept, and what
+ *        is selected first.
  */
 #include "fixtures.h"
 
-#include "view/loading/scene_list.h"
+#include "view/panels/browser.h"
 
 #include <SDL.h>
 
@@ -176,6 +177,36 @@ static void test_thumbnails(void **state) {
     assert_false(list.is_started);
 }
 
+/** The scene on screen is selected once all were found: an event that comes before, such as the
+ * last one of the previous list, selects nothing, and Enter opens nothing. */
+static void test_selected_first(void **state) {
+    Browser *browser = calloc(1, sizeof *browser);
+    Previews previews = {.list = &browser->list};
+    const ViewSettings settings = {.preview = load_preview, .loader_context = &previews};
+    write_text(state, "a.lua", "-- en: A.\n");
+    const char *path = write_text(state, "b.lua", "-- en: B.\n");
+    assert_true(browser_open(browser, &settings, 0, path));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    atomic_store(&browser->list.is_complete, false);
+    browser_select_current(browser);
+    assert_false(browser->has_selection);
+    assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_KEEP_OPEN);
+    atomic_store(&browser->list.is_complete, true);
+    browser_select_current(browser);
+    char selected[PATH_MAX];
+    assert_true(browser_selected_path(browser, selected));
+    assert_string_equal(selected, path);
+    assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_OPEN_SCENE);
+    // What a key has selected stays.
+    browser_key(browser, SDLK_HOME);
+    browser_select_current(browser);
+    assert_int_equal(browser->selected, 0);
+    browser_deinit(browser);
+    free(browser);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -184,6 +215,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_long_titles, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_other_files, fixture_set_up, fixture_tear_down),
         cmocka_unit_test_setup_teardown(test_thumbnails, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test_setup_teardown(test_selected_first, fixture_set_up, fixture_tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

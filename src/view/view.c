@@ -198,7 +198,9 @@ static void run_frame(App *app) {
     bool is_event = !app->exit.is_requested && wait_for_event(app, clock_now_seconds(), &event);
     while (is_event && !app->exit.is_requested) {
         input_handle_event(app, &event);
-        is_event = !gui_awaits_frame(app->window.gui) && SDL_PollEvent(&event);
+        // Keys after the one that ends a lesson are for what follows it.
+        is_event =
+            !gui_awaits_frame(app->window.gui) && !app->player.is_leaving && SDL_PollEvent(&event);
     }
 }
 

@@ -140,6 +140,7 @@ static void find_scenes(SceneList *list) {
         list_lessons_and_scenes(list, installed);
     }
     free_kept(list);
+    atomic_store(&list->is_complete, true);
 }
 
 /** Draws a thumbnail. @param[out] error Error of the scene. */

@@ -44,6 +44,7 @@ typedef struct SceneList {
     bool is_started;              /**< Whether the thread must be joined. */
     atomic_bool should_stop;      /**< Whether the thread should end. */
     atomic_bool is_running;       /**< Whether the thread works. */
+    atomic_bool is_complete;      /**< Whether all scenes were found. */
     SceneEntry *kept;             /**< What was listed before, until the thread has found the
                                        scenes; owned; NULL: nothing. */
     size_t kept_count;            /**< Number of #kept. */

@@ -19,7 +19,7 @@ bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event
     }
     browser_release_textures(browser);
     browser->is_open = scene_list_start(&browser->list, settings, event, path);
-    browser->is_reopen_pending = browser->is_current_selected = browser->is_requested =
+    browser->is_reopen_pending = browser->has_selection = browser->is_requested =
         browser->is_close_requested = browser->follows_mouse = false;
     SDL_strlcpy(browser->path, path, sizeof browser->path);
     browser->selected = 0;
@@ -143,7 +143,7 @@ static void select_position(Browser *browser, const BrowserOrder *order, long po
     if (order->count > 0) {
         long last = (long)order->count - 1;
         browser->selected = order->indices[SDL_max(0, SDL_min(position, last))];
-        browser->scrolls = true;
+        browser->scrolls = browser->has_selection = true;
     }
 }
 
@@ -189,18 +189,19 @@ void browser_erase_word(Browser *browser) {
 /* --- selecting -------------------------------------------------------------------------------- */
 
 void browser_select_current(Browser *browser) {
+    // An event of the previous list may come while this one is being filled.
+    if (browser->has_selection || !atomic_load(&browser->list.is_complete)) {
+        return;
+    }
     BrowserOrder order;
     lock_and_order(browser, &order);
-    for (size_t i = 0; i < order.count && !browser->is_current_selected; i++) {
+    long current = 0;
+    for (size_t i = 0; i < order.count; i++) {
         if (strcmp(browser->list.scenes[order.indices[i]].path, browser->path) == 0) {
-            select_position(browser, &order, (long)i);
-            browser->is_current_selected = true;
+            current = (long)i;
         }
     }
-    if (browser->path[0] == '\0' && !browser->is_current_selected) {
-        select_position(browser, &order, 0);
-    }
-    browser->is_current_selected = browser->is_current_selected || order.count > 0;
+    select_position(browser, &order, current);
 }
 
 void browser_begin_at_top(Browser *browser) {
@@ -261,7 +262,7 @@ BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
     if (key == SDLK_BACKSPACE) {
         erase_character(browser);
     }
-    if ((key == SDLK_RETURN || key == SDLK_KP_ENTER) && order.count > 0) {
+    if ((key == SDLK_RETURN || key == SDLK_KP_ENTER) && order.count > 0 && browser->has_selection) {
         return BROWSER_OPEN_SCENE;
     }
     return key == SDLK_ESCAPE ? BROWSER_CLOSE : BROWSER_KEEP_OPEN;

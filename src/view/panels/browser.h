@@ -22,9 +22,9 @@ typedef struct Browser {
     SceneList list;         /**< The scenes. */
     bool is_open;           /**< Whether it is shown. */
     bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
-    bool is_current_selected;         /**< Whether the scene on screen was searched in it. */
-    char path[PATH_MAX];              /**< File of the scene on screen. */
-    size_t selected;                  /**< Index of the selected scene. */
+    bool has_selection;     /**< Whether one was selected: by a key, or the scene on screen. */
+    char path[PATH_MAX];    /**< File of the scene on screen. */
+    size_t selected;        /**< Index of the selected scene. */
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
     bool is_requested;                /**< Whether the selected scene was clicked. */
@@ -47,7 +47,8 @@ typedef enum {
  *  @return false if its thread cannot start. */
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event, const char *path);
 
-/** Selects the scene on screen, once, if it is in the list by now. */
+/** Selects the scene on screen, else the first one, once all scenes were found. Does nothing if one
+ *  was selected before. */
 void browser_select_current(Browser *browser);
 
 /** Selects the first lesson, not the scene on screen. */

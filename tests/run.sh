@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs every test: the unit tests of the release and of the sanitizer build, then the scripts that use
 # the program as a person would. Two at a time (JOBS), but for what measures time. Prints what failed
-# in full, and ends with `N passed, N failed`.
+# in full, its failed checks once more at the end, where a log that is cut still has them, and then
+# `N passed, N failed`.
 set -u
 cd "$(dirname "$0")/.."
 # use_sigaltstack=0: the runtime of gcc 12 takes the alternate stack of a thread that ends for an overflow.
@@ -46,5 +47,11 @@ rm -rf "$logs" && mkdir -p "$logs"
 for script in schedule window bar objects scene-list latency; do "$0" --one "BUILD=build tests/$script.sh"; done
 passed=$(head -qn 1 "$logs"/*.result | grep -c "^ok ")
 failed=$(head -qn 1 "$logs"/*.result | grep -c "^not ok ")
+for result in $(grep -l "^not ok " "$logs"/*.result); do
+    head -n 1 "$result"
+    # The failed checks; a test that died without one says at its end why.
+    sed 1d "$result" | grep -aE '^not ok|FAILED|Error|ERROR|error:' | tail -n 20
+    tail -n 5 "$result"
+done
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -2,6 +2,7 @@
  * @file
  * @brief Tests of AOVs in every engine, and of the layers that show them.
  */
+#include "fixtures.h"
 #include "pictures.h"
 
 #include "base/encoding.h"
@@ -225,6 +226,60 @@ static void test_steps(void **state) {
     scene_destroy(box);
 }
 
+/** Bytes of a scene in #test_operations with the final zero. */
+enum { FIELD_SCENE_SIZE = 1024 };
+
+/** A field, and the bounds of its operations. */
+typedef struct FieldCosts {
+    const char *field;  /**< Its text. */
+    double least, most; /**< Operations per step, over the whole picture. */
+} FieldCosts;
+
+/** Each ray counts what it would evaluate alone, at every width. An operation is a solid, what
+ * joins two, a level of a sponge, an iteration, a step of a function; what is skipped does not
+ * count. */
+static void test_operations(void **state) {
+    static const FieldCosts cases[] = {
+        {"distance.sphere { radius = 1 }", 1, 1},
+        {"distance.box {}:round(0.1)", 2, 2},
+        // Three squares, two sums, the root, and one less; one for the function.
+        {"distance.field(function(x, y, z) return math.sqrt(x * x + y * y + z * z) - 1 end)", 8, 8},
+        {"distance.union(distance.sphere { radius = 0.3 }:translate{-0.7, 0, 0}, "
+         "distance.sphere { radius = 0.3 }:translate{0.7, 0, 0})",
+         3.01, 4.99},
+        {"distance.menger { size = 2, iterations = 4 }", 1.01, 4.99},
+        {"distance.mandelbulb { power = 8, iterations = 9 }", 1.01, 8.99},
+        // Of 49 joined balls, each with its place, few can be near.
+        {"(function() local balls = distance.sphere { radius = 0.1 } for i = 1, 48 do balls = "
+         "distance.union(balls, distance.sphere { radius = 0.1 }:translate{0.03 * i, 0.02 * i, 0}) "
+         "end return balls end)()",
+         3, 30}};
+    Error error = {0};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[FIELD_SCENE_SIZE];
+        snprintf(text, sizeof text, "camera { position = {0.3, 0.4, 4} } sdf { %s }",
+                 cases[i].field);
+        const char *path = fixture_path(state, "field.lua");
+        write_file(path, text, strlen(text));
+        Scene *scene = load_scene(path);
+        const unsigned both = AOV_STEPS | AOV_OPERATIONS;
+        AovImage *one = trace_aov_image(engine_find("f32x1", &error), scene, both);
+        AovImage *eight = trace_aov_image(engine_find("f32x8", &error), scene, both);
+        double steps = 0, operations = 0;
+        for (size_t k = 0; k < AOV_WIDTH * AOV_HEIGHT; k++) {
+            assert_int_equal(one->samples[k].operation_count, eight->samples[k].operation_count);
+            steps += one->samples[k].step_count;
+            operations += (double)one->samples[k].operation_count;
+        }
+        assert_true(steps > 0);
+        assert_true(operations >= cases[i].least * steps);
+        assert_at_most(operations / steps, cases[i].most, "%s", cases[i].field);
+        free(one);
+        free(eight);
+        scene_destroy(scene);
+    }
+}
+
 /* --- layers ----------------------------------------------------------------------------------- */
 
 /** Size of a picture, and a buffer for its pixels: blue, green, red and an unused byte each. */
@@ -328,12 +383,14 @@ static void test_layers(void **state) {
         uint8_t *bgrx = calloc(4, (size_t)WIDTH * HEIGHT);
         LayerImage image = {WIDTH, HEIGHT, bgrx};
         LayerScale scale = draw_layer(renderer, scene, layer, image).layer.scale;
-        for (size_t i = 0; i < WIDTH * HEIGHT && layer < LAYER_TIME; i += 97) {
+        const bool is_from_aovs = layer < LAYER_TIME || layer == LAYER_OPERATIONS;
+        for (size_t i = 0; i < WIDTH * HEIGHT && is_from_aovs; i += 97) {
             PixelGrid grid = {.x = (int)(i % WIDTH), .y = (int)(i / WIDTH), 1, 1, 1};
             AovSample point;
             float numbers[LAYER_VALUES] = {0};
             uint8_t rgb[3];
-            settings.engine->trace_aovs(tracer, &grid, AOV_RADIANCE | AOV_STEPS | AOV_UV, &point,
+            settings.engine->trace_aovs(tracer, &grid,
+                                        AOV_RADIANCE | AOV_STEPS | AOV_UV | AOV_OPERATIONS, &point,
                                         &(RayCounts){0});
             layer_values(layer, &point, numbers);
             layer_color(layer, &scale, numbers, rgb);
@@ -472,7 +529,8 @@ static void test_error_scale(void **state) {
 /** Ticks lie on the bar where their number has its colour. */
 static void test_tick_positions(void **state) {
     (void)state;
-    static const Layer bars[] = {LAYER_DISTANCE, LAYER_RAYS, LAYER_STEPS, LAYER_TIME, LAYER_ERROR};
+    static const Layer bars[] = {LAYER_DISTANCE, LAYER_RAYS,  LAYER_STEPS,
+                                 LAYER_TIME,     LAYER_ERROR, LAYER_OPERATIONS};
     for (size_t i = 0; i < sizeof bars / sizeof *bars; i++) {
         LegendEntry ticks[LEGEND_ENTRIES_MAXIMUM];
         LayerScale scale = layer_scale(bars[i], 2, 17);
@@ -629,14 +687,23 @@ static void test_previews(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_faults),         cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_layers),         cmocka_unit_test(test_legends),
-        cmocka_unit_test(test_difference),     cmocka_unit_test(test_sphere_aovs),
-        cmocka_unit_test(test_rays),           cmocka_unit_test(test_uvs),
-        cmocka_unit_test(test_lights),         cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_readings),       cmocka_unit_test(test_value_difference),
-        cmocka_unit_test(test_marks),          cmocka_unit_test(test_error_scale),
-        cmocka_unit_test(test_tick_positions), cmocka_unit_test(test_previews),
+        cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_legends),
+        cmocka_unit_test(test_difference),
+        cmocka_unit_test(test_sphere_aovs),
+        cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_uvs),
+        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_steps),
+        cmocka_unit_test_setup_teardown(test_operations, fixture_set_up, fixture_tear_down),
+        cmocka_unit_test(test_readings),
+        cmocka_unit_test(test_value_difference),
+        cmocka_unit_test(test_marks),
+        cmocka_unit_test(test_error_scale),
+        cmocka_unit_test(test_tick_positions),
+        cmocka_unit_test(test_previews),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1174,6 +1174,8 @@ static void test_legend(void **state) {
     Legend steps = legend_of(scene, LAYER_STEPS, 1, 0, true);
     assert_false(steps.has_bar);
     assert_string_equal(steps.notes[0], "no ray marches: no distance field is in view");
+    Legend operations = legend_of(scene, LAYER_OPERATIONS, 1, 0, true);
+    assert_string_equal(operations.notes[0], steps.notes[0]);
     Legend time = legend_of(scene, LAYER_TIME, 1, 9, true);
     assert_string_equal(time.notes[0], "one number per block of 8 × 8 pixels");
     Legend shapes = legend_of(scene, LAYER_SHAPES, 0, 7, true);

@@ -261,8 +261,8 @@ leave
 # --- layers, settings, two pictures --------------------------------------------------------------
 open "$box" --samples 1
 screen light
-names=(normals distance shapes 'places on pictures' 'rays spent' 'marching steps' 'time spent' error rounding 'acne and leaks')
-keys=(2 3 4 5 6 7 8 9 y 0)
+names=(normals distance shapes 'places on pictures' 'rays spent' 'marching steps' 'time spent' error rounding 'operations spent' 'acne and leaks')
+keys=(2 3 4 5 6 7 8 9 y Y 0)
 for i in "${!keys[@]}"; do
     key=${keys[i]} name=${names[i]}
     xdotool key "$key"

@@ -20,9 +20,10 @@
 
 /** Optional AOVs, as bits of a mask. The first hit of the camera ray is always there. */
 enum {
-    AOV_RADIANCE = 1, /**< From full shading: colour, ray count, lights, secondary hits. */
-    AOV_STEPS = 2,    /**< The sphere-tracing steps of the camera ray. */
-    AOV_UV = 4        /**< Texture coordinates of the first hit. */
+    AOV_RADIANCE = 1,  /**< From full shading: colour, ray count, lights, secondary hits. */
+    AOV_STEPS = 2,     /**< The sphere-tracing steps of the camera ray. */
+    AOV_UV = 4,        /**< Texture coordinates of the first hit. */
+    AOV_OPERATIONS = 8 /**< The operations on distances of the camera ray. */
 };
 
 /** Number of lights that have a bit in the masks; further lights are not recorded. */
@@ -40,6 +41,7 @@ typedef struct AovSample {
     double color[3];          /**< Radiance, linear; with #AOV_RADIANCE. */
     uint32_t ray_count;       /**< Rays of the pixel, of all kinds; with #AOV_RADIANCE. */
     uint32_t step_count;      /**< Sphere-tracing steps; with #AOV_STEPS. */
+    uint64_t operation_count; /**< Operations on distances; with #AOV_OPERATIONS. */
     uint64_t lights_tested;   /**< Bit i: light i has a shadow ray there. */
     uint64_t lights_occluded; /**< Bit i: that shadow ray is occluded. */
     int secondary_shapes[AOV_MAX_SECONDARY]; /**< Shapes that secondary rays hit, as

@@ -13,21 +13,23 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** The quantity that a picture shows. */
+/** The quantity that a picture shows. A new one is the last: links to the page have their numbers.
+ */
 typedef enum Layer {
-    LAYER_SHADED,   /**< Radiance: the picture itself. */
-    LAYER_NORMALS,  /**< Unit normals of surfaces. */
-    LAYER_DISTANCE, /**< Distance to surfaces. */
-    LAYER_SHAPES,   /**< Which shape is hit. */
-    LAYER_UV,       /**< Texture coordinates. */
-    LAYER_RAYS,     /**< Rays per pixel. */
-    LAYER_STEPS,    /**< Sphere-tracing steps of the camera ray. */
-    LAYER_TIME,     /**< Time per pixel. */
-    LAYER_ERROR,    /**< Difference from the colour of the reference engine. */
-    LAYER_ACNE,     /**< Self-intersections, and hits that are missed. */
-    LAYER_ROUNDING, /**< Difference between pictures whose numbers are rounded to nearest, upwards
-                       and downwards. */
-    LAYER_COUNT     /**< Number of layers. */
+    LAYER_SHADED,     /**< Radiance: the picture itself. */
+    LAYER_NORMALS,    /**< Unit normals of surfaces. */
+    LAYER_DISTANCE,   /**< Distance to surfaces. */
+    LAYER_SHAPES,     /**< Which shape is hit. */
+    LAYER_UV,         /**< Texture coordinates. */
+    LAYER_RAYS,       /**< Rays per pixel. */
+    LAYER_STEPS,      /**< Sphere-tracing steps of the camera ray. */
+    LAYER_TIME,       /**< Time per pixel. */
+    LAYER_ERROR,      /**< Difference from the colour of the reference engine. */
+    LAYER_ACNE,       /**< Self-intersections, and hits that are missed. */
+    LAYER_ROUNDING,   /**< Difference between pictures whose numbers are rounded to nearest, upwards
+                         and downwards. */
+    LAYER_OPERATIONS, /**< Operations on distances in the steps of the camera ray. */
+    LAYER_COUNT       /**< Number of layers. */
 } Layer;
 
 /** Largest number of values per pixel. */
@@ -96,7 +98,7 @@ const char *layer_unit(Layer layer);
 
 /**
  * Reads the numbers of a layer from AOVs.
- * @param layer        A layer before #LAYER_TIME.
+ * @param layer        A layer that is read from AOVs.
  * @param sample       The AOVs of the pixel.
  * @param[out] values  Its numbers; the first is NaN without a hit.
  */

@@ -67,6 +67,12 @@ static void read_step_count(const AovSample *sample, float values[LAYER_VALUES])
     values[0] = sample->step_count > 0 ? (float)sample->step_count : NAN;
 }
 
+/** Reads the number of operations; none where no distance field is sphere-traced. See
+ *  #LayerClass.read. */
+static void read_operation_count(const AovSample *sample, float values[LAYER_VALUES]) {
+    values[0] = sample->operation_count > 0 ? (float)sample->operation_count : NAN;
+}
+
 /* --- colours ---------------------------------------------------------------------------------- */
 
 /** @return Position of a number on a scale, 0 to 1. */
@@ -253,6 +259,12 @@ static const LayerClass layers[LAYER_COUNT] = {
                      .has_missing = true,
                      .read = read_step_count,
                      .color = color_cividis},
+    [LAYER_OPERATIONS] = {.name = N_("operations spent"),
+                          .unit = N_("operations per ray"),
+                          .aov_mask = AOV_OPERATIONS,
+                          .has_missing = true,
+                          .read = read_operation_count,
+                          .color = color_cividis},
     [LAYER_TIME] = {.name = N_("time spent"),
                     .unit = N_("ns per pixel"),
                     .is_timed = true,

@@ -18,6 +18,7 @@ const STEPS = {
   "places on pictures": 'press "layer places"',
   "numbers of rays": 'press "layer rays"',
   "steps of marching": 'press "layer steps"',
+  "operations of marching": 'press "layer operations"',
   "the error, against quad": 'press "layer error"',
   "acne and leaks, against double": 'press "layer acne"',
   "shadow rays without an offset": 'press "layer light" press "offset"',

@@ -42,12 +42,6 @@ typedef struct SingleTraversalBatch {
     void *results;                     /**< Its results. */
 } SingleTraversalBatch;
 
-/** @return One of LANES points in all lanes. */
-INLINE Vec3 vec3_splat_lane(const Vec3 *v, int lane) {
-    return (Vec3){real_of(real_at(&v->x, lane)), real_of(real_at(&v->y, lane)),
-                  real_of(real_at(&v->z, lane))};
-}
-
 /** Starts the traversal of a ray. */
 static void single_traversal_init(const SingleTraversalBatch *batch, SingleTraversal *traversal,
                                   int v, int lane) {

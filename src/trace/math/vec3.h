@@ -94,6 +94,12 @@ INLINE Vec3 vec3_splat(Vec3s p) {
     return (Vec3){real_of(p.x), real_of(p.y), real_of(p.z)};
 }
 
+/** @return One of LANES points in all lanes. */
+INLINE Vec3 vec3_splat_lane(const Vec3 *v, int lane) {
+    return (Vec3){real_of(real_at(&v->x, lane)), real_of(real_at(&v->y, lane)),
+                  real_of(real_at(&v->z, lane))};
+}
+
 /** @return The same numbers, exactly. */
 INLINE Vec3w vec3_widen(Vec3 v) {
     return (Vec3w){widen(v.x), widen(v.y), widen(v.z)};

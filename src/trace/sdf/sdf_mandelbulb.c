@@ -132,8 +132,8 @@ INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
     return real_max(estimate, length - operands[2]);
 }
 
-void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
-                              int count, real *distances) {
+int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                             int count, real *distances) {
     const int n = (int)operands[0], iterations = (int)operands[1];
     const real escape = real_of(operands[4]);
     MandelbulbOrbit orbits[SDF_VECTORS_MAXIMUM];
@@ -145,7 +145,8 @@ void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const 
         iterating[v] = active[v] & (lengths[v] < escape);
         any_iterating |= iterating[v];
     }
-    for (int i = 1; i < iterations && any(any_iterating); i++) {
+    int done = 1;
+    for (; done < iterations && any(any_iterating); done++) {
         any_iterating = mask_of(false);
         for (int v = 0; v < count; v++) {
             mandelbulb_orbit_step(&orbits[v], points[v], n, iterating[v]);
@@ -156,6 +157,7 @@ void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const 
     for (int v = 0; v < count; v++) {
         distances[v] = mandelbulb_orbit_distance(&orbits[v], lengths[v], operands);
     }
+    return done;
 }
 
 /** Step of the central differences for the gradient: the fractal has details of every size, and the
@@ -176,7 +178,10 @@ INLINE Vec3 mandelbulb_gradient(const scalar *operands, Vec3 p, mask active) {
 
 void sdf_op_mandelbulb(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
-    sdf_mandelbulb_distances(operands, &vm->point, &vm->active, 1, &vm->sample.distance);
+    // The first iteration is the instruction itself.
+    vm->operations += (uint32_t)sdf_mandelbulb_distances(operands, &vm->point, &vm->active, 1,
+                                                         &vm->sample.distance) -
+                      1;
     if (vm->wants_gradient) {
         vm->sample.gradient = mandelbulb_gradient(operands, vm->point, vm->active);
     }

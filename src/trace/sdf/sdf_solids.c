@@ -146,6 +146,7 @@ void sdf_op_menger(SdfVm *vm, const SdfInstruction *instruction) {
         if (!any(vm->active & (sponge.distance < real_of(1 / (3 * per_cell))))) {
             break;
         }
+        vm->operations++;
         MengerHoles holes = menger_holes(p, per_cell);
         mask is_cut = holes.middle > sponge.distance;
         sponge.distance = real_select(is_cut, holes.middle, sponge.distance);

@@ -183,6 +183,7 @@ INLINE Vec3 box_nearest_point(const scalar *corners, Vec3 p) {
 void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
     const bool clamps = operands[SDF_TAPE_CLAMPS] != 0;
+    vm->operations += (uint32_t)instruction->body_count;
     Vec3 point = clamps ? box_nearest_point(operands + SDF_TAPE_BOX, vm->point) : vm->point;
     SdfSample sample = {.distance = real_of(0)};
     if (vm->wants_gradient) {

@@ -142,6 +142,7 @@ static __attribute__((noinline)) void union_run_execute(SdfVm *vm, const SdfInst
             if (part == done) {
                 continue;
             }
+            vm->operations++;
             part->execute(vm, part);
             if (!is_final) {
                 farthest = sdf_vm_farthest(vm);
@@ -160,6 +161,7 @@ void sdf_op_union_run(SdfVm *vm, const SdfInstruction *run) {
     // The part with the nearest box first: its distance rules out most others.
     const SdfInstruction *nearest = union_run_nearest(run, &distances);
     vm->wants_gradient = false;
+    vm->operations++;
     nearest->execute(vm, nearest);
     union_run_execute(vm, run, &distances, nearest, sdf_vm_farthest(vm), false);
     if (wants_gradient) {

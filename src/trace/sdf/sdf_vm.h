@@ -14,12 +14,15 @@ struct SdfVm {
     SdfSample sample;    /**< Result of the instructions so far. */
     mask active;         /**< Lanes that count. */
     bool wants_gradient; /**< Whether to compute gradients. */
+    uint32_t operations; /**< Operations so far: instructions, and of those that repeat something,
+                              such as the levels of a sponge, each time. */
 };
 
 /** Executes instructions one after the other. */
 INLINE void sdf_vm_run(SdfVm *vm, const SdfInstruction *program, int count) {
     for (const SdfInstruction *instruction = program; instruction < program + count;
          instruction += 1 + instruction->body_count) {
+        vm->operations++;
         instruction->execute(vm, instruction);
     }
 }
@@ -31,7 +34,18 @@ INLINE real sdf_distance(const SdfProgram *program, Vec3 point, mask active) {
     vm.sample.distance = real_of(0);
     vm.active = active;
     vm.wants_gradient = false;
+    vm.operations = 0;
     sdf_vm_run(&vm, program->instructions, program->count);
+    return vm.sample.distance;
+}
+
+/** #sdf_distance that counts. @param[in,out] operations The operations are added to this: all that
+ *  the active lanes need together. */
+INLINE real sdf_distance_counted(const SdfProgram *program, Vec3 point, mask active,
+                                 uint64_t *operations) {
+    SdfVm vm = {.point = point, .active = active};
+    sdf_vm_run(&vm, program->instructions, program->count);
+    *operations += vm.operations;
     return vm.sample.distance;
 }
 
@@ -150,9 +164,10 @@ INLINE bool sdf_prefers_vectors(const SdfProgram *program) {
  * @param active          Lanes that count, per vector.
  * @param count           Number of vectors, up to #SDF_VECTORS_MAXIMUM.
  * @param[out] distances  The bounds, per vector.
+ * @return Number of iterations, at least 1.
  */
-void sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
-                              int count, real *distances);
+int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                             int count, real *distances);
 
 /** #sdf_distance for several vectors of points, in a field for which #sdf_prefers_vectors. @param
  *  count Number of vectors, up to #SDF_VECTORS_MAXIMUM. @param[out] distances Per vector. */

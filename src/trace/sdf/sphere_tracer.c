@@ -527,11 +527,15 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
 /* --- records ---------------------------------------------------------------------------------- */
 
 /** Records the step that the first lane makes next: the field is evaluated where the step evaluates
- *  it. */
+ *  it, for that lane alone. */
 static void march_log_add(MarchLog *log, const SphereTracer *tracer, const SphereTrace *trace) {
-    if (log && mask_lane(trace->stepping, 0) && log->count < log->capacity) {
-        Vec3 point = sphere_trace_point(trace, trace->t);
-        real distance = sdf_distance(&tracer->program, point, trace->stepping);
+    if (!mask_lane(trace->stepping, 0)) {
+        return;
+    }
+    Vec3 point = sphere_trace_point(trace, trace->t);
+    real distance =
+        sdf_distance_counted(&tracer->program, point, mask_of_bits(1), &log->operations);
+    if (log->count < log->capacity) {
         double scale = (double)tracer->scale;
         log->steps[log->count++] =
             (RayMarchStep){(double)real_lane(sphere_trace_distance(trace), 0) * log->length,
@@ -547,12 +551,14 @@ real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask a
     }
     while (any(sphere_trace_unfinished(&trace))) {
         real steps = trace.steps;
-        size_t logged = log ? log->count : 0;
-        march_log_add(log, tracer, &trace);
+        const MarchLog before = log ? *log : (MarchLog){0};
+        if (log) {
+            march_log_add(log, tracer, &trace);
+        }
         sphere_trace_continue(tracer, &trace);
         // Whole steps evaluate the field; a step from cell to cell does not.
         if (log && !mask_lane(trace.steps >= steps + 1, 0)) {
-            log->count = logged;
+            *log = before;
         }
     }
     return trace.steps;

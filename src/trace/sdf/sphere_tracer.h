@@ -111,8 +111,8 @@ void sphere_trace_run_packet(const SphereTracer *tracer, const Packet *packet, c
                              const real *limits, bool is_shadow, SphereTrace *traces);
 
 /** @return Number of steps of rays until they hit or miss the surface. @param active Lanes that
- *  count; others make no step. @param limit Largest distances. @param log Gets the steps of the
- *  first lane; NULL: they are only counted. */
+ *  count; others make no step. @param limit Largest distances. @param log Gets the steps and
+ *  operations of the first lane; NULL: steps are only counted. */
 real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                               MarchLog *log);
 

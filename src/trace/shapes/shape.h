@@ -41,6 +41,7 @@ typedef struct MarchLog {
     size_t count;        /**< Number of steps. */
     size_t capacity;     /**< Room for steps; those beyond are left out. */
     double length;       /**< Length of the ray's direction. */
+    uint64_t operations; /**< Operations on distances in all steps. */
 } MarchLog;
 
 /** Methods of the few kinds of shapes that are more than a primitive: meshes, distance fields and
@@ -75,7 +76,7 @@ typedef struct ShapeExtension {
      * Counts the steps of sphere tracing, for the AOVs. NULL: there are none.
      * @param active  Lanes that count; the result in other lanes is undefined.
      * @param limit   Largest distance.
-     * @param log     Gets the steps of the first lane; NULL: they are only counted.
+     * @param log     Gets the steps and operations of the first lane; NULL: steps are only counted.
      * @return Number of steps per ray.
      */
     real (*count_steps)(const Shape *self, const Ray *ray, mask active, real limit, MarchLog *log);
@@ -159,10 +160,15 @@ static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mas
                : (TextureUv){real_of(0), real_of(0), mask_of(false), mask_of(false)};
 }
 
-/** @return Whether hits may lie beside the bounding box of a shape: sphere tracing ends as far from
- *  a field as a pixel is wide there. Transformed shapes may be fields, too. */
-static inline bool shape_exceeds_box(const Shape *shape) {
+/** @return Whether rays step through a shape. Transformed shapes may be fields, too. */
+static inline bool shape_has_steps(const Shape *shape) {
     return shape->class->extension && shape->class->extension->count_steps;
+}
+
+/** @return Whether hits may lie beside the bounding box of a shape: sphere tracing ends as far from
+ *  a field as a pixel is wide there. */
+static inline bool shape_exceeds_box(const Shape *shape) {
+    return shape_has_steps(shape);
 }
 
 /** @return Whether a shape intersects whole packets. */

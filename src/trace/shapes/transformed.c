@@ -263,16 +263,20 @@ static TextureUv transformed_texture_uv(const Shape *self, const Hit *hit, mask 
 /** See #ShapeExtension.count_steps. */
 static real transformed_count_steps(const Shape *self, const Ray *ray, mask active, real limit,
                                     MarchLog *log) {
-    (void)log; // A stretched sphere is none: its steps are counted, but not recorded.
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
-    const ShapeExtension *extension = inner->class->extension;
-    if (!extension || !extension->count_steps) {
+    if (!shape_has_steps(inner)) {
         return real_of(0);
     }
     LocalRay local = transformed_to_local(transformed, ray);
     real local_limit = narrow(widen(limit) - local.skipped);
-    return extension->count_steps(inner, &local.ray, active, local_limit, NULL);
+    MarchLog counts = {0}; // A stretched sphere is none: its steps are counted, but not recorded.
+    real steps = inner->class->extension->count_steps(inner, &local.ray, active, local_limit,
+                                                      log ? &counts : NULL);
+    if (log) {
+        log->operations += counts.operations;
+    }
+    return steps;
 }
 
 /* --- whole packets --------------------------------------------------------------------------- */

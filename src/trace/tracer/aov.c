@@ -102,36 +102,83 @@ typedef struct StepCount {
     real steps[PACKET_VECTORS]; /**< The steps so far. */
 } StepCount;
 
+/** @return How far rays step in a shape. The one that is hit takes all its steps, even if rounding
+ *          has put the limit before its surface. */
+INLINE real steps_limit(const Shape *shape, const Hit *hit) {
+    mask is_hit = hit->shape == integer_of(shape->index);
+    return real_select(is_hit, real_of(INFINITE), hit->distance);
+}
+
+/** @return A packet whose rays end at their hits. */
+static Packet packet_up_to_hits(const Packet *packet, const Hit *hits) {
+    Packet limited = *packet;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        limited.limit[v] = hits[v].distance;
+    }
+    return limited;
+}
+
 /** Adds the steps that a shape takes. See #ShapeVisitor. */
 static void shape_count_steps(const Shape *shape, const Packet *packet, int v, mask active,
                               void *found) {
     StepCount *step_count = found;
-    const Hit *hit = &step_count->hits[v];
-    const ShapeExtension *extension = shape->class->extension;
-    if (!extension || !extension->count_steps) {
+    if (!shape_has_steps(shape)) {
         return;
     }
-    // The shape that is hit takes all its steps, even if rounding has put the limit before its
-    // surface.
-    mask is_hit = hit->shape == integer_of(shape->index);
-    real limit = real_select(is_hit, real_of(INFINITE), hit->distance);
-    real steps = extension->count_steps(shape, &packet->rays[v], active, limit, NULL);
+    real steps = shape->class->extension->count_steps(
+        shape, &packet->rays[v], active, steps_limit(shape, &step_count->hits[v]), NULL);
     step_count->steps[v] += real_select(active, steps, real_of(0));
 }
 
 /** Records the steps of camera rays up to their hits. */
 static void aov_record_steps(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                              AovSample *samples) {
-    Packet limited = *packet;
+    const Packet limited = packet_up_to_hits(packet, hits);
     StepCount step_count = {.hits = hits};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        limited.limit[v] = hits[v].distance;
         step_count.steps[v] = real_of(0);
     }
     shape_set_visit(shapes, &limited, shape_count_steps, &step_count);
     for (int i = 0; i < PACKET_RAYS; i++) {
         samples[i].step_count = (uint32_t)real_lane(step_count.steps[i / LANES], i % LANES);
     }
+}
+
+/* --- operations on distances ------------------------------------------------------------------ */
+
+/** The operations of a packet up to its hits. */
+typedef struct OperationCount {
+    const Hit *hits;    /**< The hits. */
+    AovSample *samples; /**< Per ray: gets them. */
+} OperationCount;
+
+/** Adds the operations of a shape, ray by ray: what other rays need does not count. See
+ *  #ShapeVisitor. */
+static void shape_count_operations(const Shape *shape, const Packet *packet, int v, mask active,
+                                   void *found) {
+    OperationCount *count = found;
+    if (!shape_has_steps(shape)) {
+        return;
+    }
+    const Ray *rays = &packet->rays[v];
+    real limit = steps_limit(shape, &count->hits[v]);
+    for (unsigned bits = mask_bits(active); bits; bits &= bits - 1) {
+        int i = __builtin_ctz(bits);
+        const Ray ray = {vec3_splat_lane(&rays->origin, i), vec3_splat_lane(&rays->direction, i),
+                         vec3_splat_lane(&rays->inverse_direction, i)};
+        MarchLog log = {0};
+        shape->class->extension->count_steps(shape, &ray, mask_of_bits(1),
+                                             real_of(real_lane(limit, i)), &log);
+        count->samples[v * LANES + i].operation_count += log.operations;
+    }
+}
+
+/** Records the operations on distances of camera rays up to their hits. */
+static void aov_record_operations(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
+                                  AovSample *samples) {
+    const Packet limited = packet_up_to_hits(packet, hits);
+    OperationCount count = {hits, samples};
+    shape_set_visit(shapes, &limited, shape_count_operations, &count);
 }
 
 /* --- grids ------------------------------------------------------------------------------------ */
@@ -150,6 +197,9 @@ static void aov_trace_packet(const Tracer *tracer, const Packet *packet, unsigne
     }
     if (flags & AOV_STEPS) {
         aov_record_steps(&tracer->shapes, packet, hits, samples);
+    }
+    if (flags & AOV_OPERATIONS) {
+        aov_record_operations(&tracer->shapes, packet, hits, samples);
     }
 }
 

@@ -157,9 +157,8 @@ typedef struct MarchRecord {
 static void shape_record_march(const Shape *shape, const Packet *packet, int v, mask active,
                                void *found) {
     MarchRecord *record = found;
-    const ShapeExtension *extension = shape->class->extension;
     bool is_final = record->shape >= 0 && record->shape == record->hit_shape;
-    if (v > 0 || !extension || !extension->count_steps || is_final || !mask_lane(active, 0)) {
+    if (v > 0 || !shape_has_steps(shape) || is_final || !mask_lane(active, 0)) {
         return;
     }
     RayMarchStep *kept = record->tree->steps + record->tree->step_count;
@@ -168,7 +167,8 @@ static void shape_record_march(const Shape *shape, const Packet *packet, int v, 
     MarchLog log = {.steps = kept + record->step_count,
                     .capacity = MARCH_STEPS_MAXIMUM,
                     .length = vec3d_length(vec3_first_lane(ray->direction))};
-    extension->count_steps(shape, ray, active, is_hit ? real_of(INFINITE) : packet->limit[0], &log);
+    shape->class->extension->count_steps(shape, ray, active,
+                                         is_hit ? real_of(INFINITE) : packet->limit[0], &log);
     if (is_hit || log.count > record->step_count) {
         memmove(kept, log.steps, log.count * sizeof *kept);
         record->step_count = log.count;

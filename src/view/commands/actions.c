@@ -86,7 +86,8 @@ static bool has_marched_shape(const Scene *scene) {
 
 void action_set_layer(App *app, int layer) {
     window_set_layer(&app->window, (Layer)layer);
-    if (layer == LAYER_STEPS && !has_marched_shape(app->scene)) {
+    const bool is_of_steps = layer == LAYER_STEPS || layer == LAYER_OPERATIONS;
+    if (is_of_steps && !has_marched_shape(app->scene)) {
         app_set_status(app, "this scene has no distance field: no ray marches");
     }
 }

@@ -61,7 +61,7 @@
 /** The help of the first five layers. */
 #define FIRST_LAYERS .help = N_("show light, normals, distance, shapes, (u, v)")
 /** The help of the other layers. */
-#define LAST_LAYERS .help = N_("show rays, marching, time, error, acne; rounding")
+#define LAST_LAYERS .help = N_("show rays, marching, time, error, acne; rounding (Shift: operations)")
 /** The help of the keys that choose rays. */
 #define RAY_STEPS .help = N_("the ray before, after; let the next one fly")
 /** The help of the keys that hide rays. */
@@ -118,6 +118,7 @@ const Command command_table[] = {
     {"layer error", {ONLY_PLACE(9, "9")}, N_("error"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ERROR)},
     {"layer acne", {ONLY_PLACE(0, "0")}, N_("acne"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ACNE)},
     {"layer rounding", {KEY(y)}, N_("round"), PICTURE, LAST_LAYERS, .flags = COMMAND_CHOICE, RUNS(action_set_layer, LAYER_ROUNDING)},
+    {"layer operations", {KEY(y)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_set_layer, LAYER_OPERATIONS)},
     {"offset", {KEY(o)}, N_("offset"), PICTURE, .help = N_("offset: none (shows acne), fixed, bound"), .flags = COMMAND_CHOICE, RUNS(action_change_offset, 1)},
     {"offset back", {KEY(o)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_change_offset, -1)},
     {"epsilon half", {ONLY_PLACE(LEFTBRACKET, NULL)}, "ε / 2", PICTURE, EPSILON, .flags = COMMAND_CHOICE | COMMAND_REPEATS, RUNS(action_change_epsilon, -2)},

@@ -143,6 +143,7 @@ static void add_notes(Legend *legend, const LegendContent *content) {
     int columns = 0, rows = 0;
     switch (layer->layer) {
     case LAYER_STEPS:
+    case LAYER_OPERATIONS:
         if (!legend->has_bar) {
             add_note(legend, "%s", gettext("no ray marches: no distance field is in view"));
         }

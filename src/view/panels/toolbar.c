@@ -72,7 +72,7 @@ const char *toolbar_layer_command(Layer layer) {
     static const char *const commands[LAYER_COUNT] = {
         "layer light",  "layer normals", "layer distance", "layer shapes",
         "layer places", "layer rays",    "layer steps",    "layer time",
-        "layer error",  "layer acne",    "layer rounding"};
+        "layer error",  "layer acne",    "layer rounding", "layer operations"};
     return commands[layer];
 }
 

@@ -265,14 +265,18 @@ $(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
 	@mkdir -p $(@D)
 	@ln -sfr $(WORKER) $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests $(UNCOUNTED) $(TEST_COUNTERS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
-# The compaction of wavefronts at each engine's number type and width.
-COMPACTION_OBJECTS := $(ENGINES:%=$(OBJ)/tests/compaction/%.o)
-$(COMPACTION_OBJECTS): $(OBJ)/tests/compaction/%.o: tests/compaction/compaction.c $(FLAGS)
-	@mkdir -p $(@D)
-	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(UNCOUNTED) -Wno-psabi $(FLAGS_$*) -DCHECKS=compaction_$* -MMD -MP -c -o $@ $<
-$(BUILD)/tests/test_compaction: tests/test_compaction.c $(COMPACTION_OBJECTS)
-$(BUILD)/tests/test_compaction: private CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
-$(BUILD)/tests/test_compaction: private WITH_ROOMS := $(COMPACTION_OBJECTS) $(WITH_ROOMS)
+# Parts of an engine, checked at each number type and width: one object per engine, with one symbol.
+# $(eval $(call ENGINE_CHECKS,NAME)): the objects of tests/NAME/NAME.c are linked into tests/test_NAME.
+define ENGINE_CHECKS
+$(ENGINES:%=$(OBJ)/tests/$(1)/%.o): $(OBJ)/tests/$(1)/%.o: tests/$(1)/$(1).c $(FLAGS)
+	@mkdir -p $$(@D)
+	$$(call SAY,cc,$$@)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(UNCOUNTED) -Wno-psabi $$(FLAGS_$$*) -DCHECKS=$(1)_$$* -MMD -MP -MF $$(@:.o=.d) -MT $$@ \
+	    -c -o $$@.all $$< && $$(OBJCOPY) --keep-global-symbol=$(1)_$$* $$@.all $$@ && rm -f $$@.all
+$(BUILD)/tests/test_$(1): tests/test_$(1).c $(ENGINES:%=$(OBJ)/tests/$(1)/%.o)
+$(BUILD)/tests/test_$(1): private CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
+$(BUILD)/tests/test_$(1): private WITH_ROOMS := $(ENGINES:%=$(OBJ)/tests/$(1)/%.o) $$(WITH_ROOMS)
+endef
+$(foreach name,compaction tape_octree,$(eval $(call ENGINE_CHECKS,$(name))))
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 

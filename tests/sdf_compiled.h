@@ -11,6 +11,7 @@
 #include "../src/trace/sdf/sdf_tape.c"
 #include "../src/trace/sdf/sdf_union.c"
 #include "../src/trace/sdf/sdf_vm.c"
+#include "../src/trace/sdf/tape_octree.c"
 
 #include <stdlib.h>
 

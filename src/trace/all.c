@@ -69,6 +69,7 @@
 #include "trace/sdf/sdf_vm.c"
 #include "trace/sdf/sphere_tracer.c"
 #include "trace/sdf/sphere_tracer_init.c"
+#include "trace/sdf/tape_octree.c"
 // Recorders, and ray queries.
 #include "trace/tracer/aov.c"
 #include "trace/tracer/path_hash.c"

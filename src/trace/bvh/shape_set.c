@@ -46,7 +46,7 @@ static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshe
 
 /** @return Memory for shapes or boxes, set to zero; NULL without. */
 static void *shapes_allocate(size_t size) {
-    size_t whole = (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
+    size_t whole = shape_aligned_size(size);
     void *memory = aligned_alloc(SHAPE_ALIGNMENT, whole + SHAPE_ALIGNMENT);
     return memory ? memset(memory, 0, whole) : NULL;
 }

@@ -4,6 +4,8 @@
  */
 #include "trace/sdf/sdf_union.h"
 #include "trace/sdf/sdf_vm.h"
+#include "trace/sdf/tape_octree.h"
+#include "trace/shapes/shape.h"
 
 /** Smallest number of parts of a run: with fewer it saves no time (measured). */
 enum { UNION_RUN_MINIMUM = 8 };
@@ -12,6 +14,7 @@ enum { UNION_RUN_MINIMUM = 8 };
 typedef struct ProgramWriter {
     SdfUnionPack *packs;          /**< The next pack. */
     SdfInstruction *instructions; /**< The next instruction. */
+    char *octrees;                /**< The next octree of a tape. */
 } ProgramWriter;
 
 /** @return The node behind a node and its body. */
@@ -35,22 +38,30 @@ static int union_run_length(const SdfNode *first, const SdfNode *end) {
 typedef struct ProgramSize {
     size_t packs;        /**< Number of packs. */
     size_t instructions; /**< Number of instructions. */
+    size_t octrees;      /**< Bytes of the octrees of tapes. */
 } ProgramSize;
 
 /** @return The size of the program of some nodes. */
 static ProgramSize program_size_of(const SdfNode *nodes, int count) {
-    size_t unions = 0;
+    size_t unions = 0, octrees = 0;
     for (int i = 0; i < count; i++) {
         unions += nodes[i].op == SDF_UNION;
+        octrees += nodes[i].op == SDF_TAPE ? tape_octree_size(&nodes[i]) : 0;
     }
     // The last pack of each run may have one part only.
     size_t runs = unions / UNION_RUN_MINIMUM;
-    return (ProgramSize){runs + aabb_pack_count(unions), runs + (size_t)count};
+    return (ProgramSize){runs + aabb_pack_count(unions), runs + (size_t)count, octrees};
+}
+
+/** @return Where the octrees begin in the memory of a program: behind packs and instructions. */
+static size_t program_octrees_offset(const ProgramSize *size) {
+    size_t end = size->packs * sizeof(SdfUnionPack) + size->instructions * sizeof(SdfInstruction);
+    return shape_aligned_size(end);
 }
 
 size_t sdf_program_size(const Sdf *sdf) {
     ProgramSize size = program_size_of(sdf->nodes, sdf->node_count);
-    return size.packs * sizeof(SdfUnionPack) + size.instructions * sizeof(SdfInstruction);
+    return program_octrees_offset(&size) + size.octrees;
 }
 
 static void program_write_nodes(ProgramWriter *writer, const SdfNode *first, const SdfNode *end);
@@ -74,6 +85,7 @@ static void program_write_node(ProgramWriter *writer, const SdfNode *node) {
         [SDF_TAPE] = sdf_op_tape};
     SdfInstruction *instruction = writer->instructions++;
     instruction->execute = handlers[node->op];
+    instruction->octree = NULL;
     for (int n = 0; n < SDF_OPERANDS; n++) {
         instruction->operands[n] = (scalar)node->operands[n];
     }
@@ -84,6 +96,11 @@ static void program_write_node(ProgramWriter *writer, const SdfNode *node) {
         program_write_nodes(writer, node + 1, node_next(node));
     }
     instruction->body_count = (int)(writer->instructions - instruction) - 1;
+    const size_t octree_size = node->op == SDF_TAPE ? tape_octree_size(node) : 0;
+    if (octree_size > 0) {
+        instruction->octree = tape_octree_build(writer->octrees, instruction);
+        writer->octrees += octree_size;
+    }
 }
 
 /** Writes a run of unions: an instruction whose body they are. @param length Number of parts.
@@ -124,9 +141,10 @@ static void program_write_nodes(ProgramWriter *writer, const SdfNode *first, con
 }
 
 SdfProgram sdf_compile(void *memory, const SdfNode *nodes, int count) {
+    const ProgramSize size = program_size_of(nodes, count);
     SdfUnionPack *packs = memory;
-    SdfInstruction *instructions = (SdfInstruction *)(packs + program_size_of(nodes, count).packs);
-    ProgramWriter writer = {packs, instructions};
+    SdfInstruction *instructions = (SdfInstruction *)(packs + size.packs);
+    ProgramWriter writer = {packs, instructions, (char *)memory + program_octrees_offset(&size)};
     program_write_nodes(&writer, nodes, nodes + count);
     return (SdfProgram){instructions, (int)(writer.instructions - instructions)};
 }

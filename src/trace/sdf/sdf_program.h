@@ -10,13 +10,16 @@
 
 typedef struct SdfVm SdfVm;
 typedef struct SdfUnionPack SdfUnionPack;
+typedef struct TapeOctree TapeOctree;
 
 /** An instruction. */
 typedef struct SdfInstruction {
     /** Executes it. */
     void (*execute)(SdfVm *machine, const struct SdfInstruction *code);
-    int body_count; /**< Number of following instructions that are its body. */
-    int pack_count; /**< Number of #packs; only of a run of unions. */
+    int body_count;           /**< Number of following instructions that are its body. */
+    int pack_count;           /**< Number of #packs; only of a run of unions. */
+    const TapeOctree *octree; /**< Where a tape is shorter; NULL: nowhere. Not owned, in the memory
+                                 of the program. */
     union {
         scalar operands[SDF_OPERANDS]; /**< Operands; see #SdfOp. */
         const SdfUnionPack *packs; /**< The boxes of a run of unions; not owned, in the memory of

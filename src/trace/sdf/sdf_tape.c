@@ -5,27 +5,11 @@
  * Each step has two forms: on numbers alone, and on numbers with their derivatives by x, y and z
  * (forward differentiation).
  */
-#include "dioptre/sdf_tape.h"
 #include "trace/math/sine.h"
-#include "trace/sdf/sdf_vm.h"
-
-typedef struct TapeStep TapeStep;
+#include "trace/sdf/tape_octree.h"
 
 /** LANES numbers with their derivatives. */
 typedef SdfSample TapeDual;
-
-/** A step of a tape. */
-struct TapeStep {
-    void (*run)(real *registers, const TapeStep *step);               /**< On numbers alone. */
-    void (*differentiate)(TapeDual *registers, const TapeStep *step); /**< With derivatives. */
-    uint16_t to;     /**< Register of the result. */
-    uint16_t a;      /**< Register of the first operand. */
-    uint16_t b;      /**< Register of the second operand. */
-    scalar constant; /**< Constant. */
-};
-
-_Static_assert(sizeof(TapeStep) <= sizeof(SdfInstruction),
-               "the steps of a tape lie in the instructions of its body");
 
 /* --- derivatives ------------------------------------------------------------------------------ */
 
@@ -61,17 +45,18 @@ INLINE TapeDual dual_chain2(real value, real slope_a, TapeDual a, real slope_b, 
  *               and b with their derivatives.
  */
 #define TAPE_STEP(NAME, VALUE, DUAL)                                                               \
-    static void tape_##NAME(real *registers, const TapeStep *step) {                               \
-        const real a = registers[step->a], b = registers[step->b], c = real_of(step->constant);    \
+    static void tape_##NAME(real *registers, const TapePlace *place, const TapeStep *step) {       \
+        const real a = registers[place->a], b = registers[place->b], c = real_of(step->constant);  \
         (void)a, (void)b, (void)c;                                                                 \
-        registers[step->to] = (VALUE);                                                             \
+        registers[place->to] = (VALUE);                                                            \
     }                                                                                              \
-    static void tape_##NAME##_dual(TapeDual *registers, const TapeStep *step) {                    \
-        const TapeDual p = registers[step->a], q = registers[step->b];                             \
+    static void tape_##NAME##_dual(TapeDual *registers, const TapePlace *place,                    \
+                                   const TapeStep *step) {                                         \
+        const TapeDual p = registers[place->a], q = registers[place->b];                           \
         const real a = p.distance, b = q.distance, c = real_of(step->constant);                    \
         (void)a, (void)b, (void)c, (void)p, (void)q;                                               \
         const real value = (VALUE);                                                                \
-        registers[step->to] = (DUAL);                                                              \
+        registers[place->to] = (DUAL);                                                             \
     }
 
 /** The constant. */
@@ -109,12 +94,20 @@ TAPE_STEP(add_constant, a + c, dual_of(value, p.gradient))
 /** a * c */
 TAPE_STEP(multiply_constant, (a * c), dual_chain(value, c, p))
 
-/** A step of each operation. */
+/** Both forms of a step. */
+typedef struct TapeOperation {
+    /** On numbers alone. */
+    void (*run)(real *registers, const TapePlace *place, const TapeStep *step);
+    /** With derivatives. */
+    void (*differentiate)(TapeDual *registers, const TapePlace *place, const TapeStep *step);
+} TapeOperation;
+
+/** The forms of an operation. */
 #define TAPE_ROW(NAME)                                                                             \
     { .run = tape_##NAME, .differentiate = tape_##NAME##_dual }
 
 /** The operations. */
-static const TapeStep tape_operations[SDF_TAPE_OP_COUNT] = {
+static const TapeOperation tape_operations[SDF_TAPE_OP_COUNT] = {
     [SDF_TAPE_CONSTANT] = TAPE_ROW(constant),
     [SDF_TAPE_ADD] = TAPE_ROW(add),
     [SDF_TAPE_SUBTRACT] = TAPE_ROW(subtract),
@@ -138,39 +131,68 @@ void sdf_tape_compile(SdfInstruction *body, const SdfNode *tape) {
     TapeStep *steps = (TapeStep *)body;
     for (int i = 0; i < tape->body_count; i++) {
         const double *operands = tape[1 + i].operands;
-        steps[i] = tape_operations[(int)operands[SDF_STEP_OP]];
-        steps[i].to = (uint16_t)operands[SDF_STEP_TO];
-        steps[i].a = (uint16_t)operands[SDF_STEP_A];
-        steps[i].b = (uint16_t)operands[SDF_STEP_B];
-        steps[i].constant = (scalar)operands[SDF_STEP_CONSTANT];
+        const SdfTapeOp op = (SdfTapeOp)operands[SDF_STEP_OP];
+        steps[i] = (TapeStep){.run = tape_operations[op].run,
+                              .place = {.step = (uint16_t)i,
+                                        .to = (uint16_t)operands[SDF_STEP_TO],
+                                        .a = (uint16_t)operands[SDF_STEP_A],
+                                        .b = (uint16_t)operands[SDF_STEP_B]},
+                              .constant = (scalar)operands[SDF_STEP_CONSTANT],
+                              .op = op};
     }
 }
 
-/** @return The result of a tape at points. */
-static real tape_value(const SdfInstruction *tape, Vec3 p) {
-    const TapeStep *steps = (const TapeStep *)(tape + 1);
+real tape_value(Tape tape, Vec3 p) {
     real registers[SDF_TAPE_REGISTERS];
     registers[0] = p.x;
     registers[1] = p.y;
     registers[2] = p.z;
-    for (int i = 0; i < tape->body_count; i++) {
-        steps[i].run(registers, &steps[i]);
+    for (int i = 0; i < tape.count; i++) {
+        const TapeStep *step = tape_step(&tape, i);
+        step->run(registers, tape_place(&tape, i), step);
     }
-    return registers[(int)tape->operands[SDF_TAPE_RESULT]];
+    return registers[tape.result];
 }
 
-/** @return The result of a tape at points, with its derivatives. */
-static TapeDual tape_dual(const SdfInstruction *tape, Vec3 p) {
-    const TapeStep *steps = (const TapeStep *)(tape + 1);
+SdfSample tape_sample(Tape tape, Vec3 p) {
     const real one = real_of(1), zero = real_of(0);
     TapeDual registers[SDF_TAPE_REGISTERS];
     registers[0] = dual_of(p.x, (Vec3){one, zero, zero});
     registers[1] = dual_of(p.y, (Vec3){zero, one, zero});
     registers[2] = dual_of(p.z, (Vec3){zero, zero, one});
-    for (int i = 0; i < tape->body_count; i++) {
-        steps[i].differentiate(registers, &steps[i]);
+    for (int i = 0; i < tape.count; i++) {
+        const TapeStep *step = tape_step(&tape, i);
+        tape_operations[step->op].differentiate(registers, tape_place(&tape, i), step);
     }
-    return registers[(int)tape->operands[SDF_TAPE_RESULT]];
+    return registers[tape.result];
+}
+
+/** @return The result of a tape at points, with its gradient if that is wanted. */
+INLINE SdfSample tape_evaluate(SdfVm *vm, Tape tape, Vec3 p) {
+    vm->operations += tape.count;
+    return vm->wants_gradient ? tape_sample(tape, p) : (SdfSample){.distance = tape_value(tape, p)};
+}
+
+/** #tape_evaluate for each point in its cell of the octree. */
+static SdfSample tape_evaluate_cells(SdfVm *vm, const SdfInstruction *instruction, Vec3 p) {
+    const real zero = real_of(0);
+    const Tape whole = tape_of(instruction);
+    SdfSample all = {zero, {zero, zero, zero}};
+    unsigned left = mask_bits(vm->active);
+    while (left) {
+        const TapeLanes part = tape_octree_find(instruction->octree, whole, p, left);
+        const SdfSample sample = tape_evaluate(vm, part.tape, p);
+        if (part.lanes == ALL_LANES) {
+            return sample;
+        }
+        const mask lanes = mask_of_bits(part.lanes);
+        all.distance = real_select(lanes, sample.distance, all.distance);
+        if (vm->wants_gradient) {
+            all.gradient = vec3_select(lanes, sample.gradient, all.gradient);
+        }
+        left &= ~part.lanes;
+    }
+    return all;
 }
 
 /** @return The nearest points of a box. @param corners Three lowest coordinates, three highest. */
@@ -183,14 +205,11 @@ INLINE Vec3 box_nearest_point(const scalar *corners, Vec3 p) {
 void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
     const bool clamps = operands[SDF_TAPE_CLAMPS] != 0;
-    vm->operations += (uint32_t)instruction->body_count;
     Vec3 point = clamps ? box_nearest_point(operands + SDF_TAPE_BOX, vm->point) : vm->point;
-    SdfSample sample = {.distance = real_of(0)};
+    SdfSample sample = instruction->octree ? tape_evaluate_cells(vm, instruction, point)
+                                           : tape_evaluate(vm, tape_of(instruction), point);
     if (vm->wants_gradient) {
-        sample = tape_dual(instruction, point);
         sample.gradient = vec3_scale(sample.gradient, real_of(operands[SDF_TAPE_FACTOR]));
-    } else {
-        sample.distance = tape_value(instruction, point);
     }
     sample.distance = sample.distance * operands[SDF_TAPE_FACTOR];
     if (clamps) {

@@ -12,20 +12,15 @@
 /** All classes, by #SceneShape.class_index. */
 static const ShapeClass *const shape_classes[] = {SHAPES(LIST_SHAPE_CLASS)};
 
-/** @return A size rounded up so that what follows is aligned. */
-static size_t align_to_shape(size_t size) {
-    return (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
-}
-
 /** @return Bytes from an object of a class to its tail. */
 static size_t shape_class_stride(const ShapeClass *class) {
-    return align_to_shape(class->size);
+    return shape_aligned_size(class->size);
 }
 
 /** @return Bytes of the tail of an object. @param parameters Its parameter struct. */
 static size_t shape_tail_size(const ShapeClass *class, const void *parameters) {
     bool has_tail = class->extension && class->extension->tail_size;
-    return has_tail ? align_to_shape(class->extension->tail_size(parameters)) : 0;
+    return has_tail ? shape_aligned_size(class->extension->tail_size(parameters)) : 0;
 }
 
 void *shape_tail(Shape *shape) {

@@ -253,6 +253,11 @@ INLINE mask primitive_is_occluding(const Shape *self, const Ray *ray, mask activ
 /** Alignment of shapes, bytes: that of the widest vector in any class. */
 #define SHAPE_ALIGNMENT 64
 
+/** @return A size rounded up so that what follows is aligned. */
+static inline size_t shape_aligned_size(size_t size) {
+    return (size + SHAPE_ALIGNMENT - 1) / SHAPE_ALIGNMENT * SHAPE_ALIGNMENT;
+}
+
 /** @return The memory behind an object that its class has requested by #ShapeExtension.tail_size.
  */
 void *shape_tail(Shape *shape);

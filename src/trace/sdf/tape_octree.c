@@ -58,88 +58,86 @@ INLINE NumberRange range_of_ends(mask known, real p, real q, real r, real s) {
                        real_max(real_max(p, q), real_max(r, s)));
 }
 
-/** @return The range of products. */
-INLINE NumberRange range_multiply(NumberRange a, NumberRange b) {
-    return range_of_ends(range_is_known(a) & range_is_known(b), a.low * b.low, a.low * b.high,
-                         a.high * b.low, a.high * b.high);
-}
-
-/** @return The range of squares. */
-INLINE NumberRange range_square(NumberRange a) {
-    real low = a.low * a.low, high = a.high * a.high;
+/** @return The range of magnitudes: least 0 where a range contains it. @param p The magnitude at
+ * one end of the range. @param q That at the other one. */
+INLINE NumberRange range_of_magnitudes(NumberRange a, real p, real q) {
     mask crosses = (a.low <= 0) & (a.high >= 0);
-    return range_where(range_is_known(a), real_select(crosses, real_of(0), real_min(low, high)),
-                       real_max(low, high));
+    return range_where(range_is_known(a), real_select(crosses, real_of(0), real_min(p, q)),
+                       real_max(p, q));
 }
 
-/** @return The range of quotients, unless a divisor may be 0. */
-INLINE NumberRange range_divide(NumberRange a, NumberRange b) {
-    mask known = range_is_known(a) & range_is_known(b) & ((b.low > 0) | (b.high < 0));
-    return range_of_ends(known, a.low / b.low, a.low / b.high, a.high / b.low, a.high / b.high);
-}
+/** Defines the range of the results of an operation. @param EXPRESSION It, from the ranges `a` and
+ *  `b` of its operands, the constant `c`, and where both operands are known. */
+#define RANGE(NAME, EXPRESSION)                                                                    \
+    static NumberRange range_##NAME(NumberRange a, NumberRange b, real c) {                        \
+        const mask known = range_is_known(a) & range_is_known(b);                                  \
+        (void)c, (void)known;                                                                      \
+        return (EXPRESSION);                                                                       \
+    }
 
-/** @return The range of differences. */
-INLINE NumberRange range_subtract(NumberRange a, NumberRange b) {
-    return range_where(range_is_known(a) & range_is_known(b), a.low - b.high, a.high - b.low);
-}
+/** The constant. */
+RANGE(constant, range_where(mask_of(true), c, c))
+/** a + b */
+RANGE(add, range_where(known, a.low + b.low, a.high + b.high))
+/** a - b */
+RANGE(subtract, range_where(known, a.low - b.high, a.high - b.low))
+/** a * b */
+RANGE(multiply,
+      range_of_ends(known, (a.low * b.low), (a.low * b.high), (a.high * b.low), (a.high * b.high)))
+/** a * a */
+RANGE(square, range_of_magnitudes(a, (a.low * a.low), (a.high * a.high)))
+/** a / b, unless b may be 0. */
+RANGE(divide, range_of_ends((known & ((b.low > 0) | (b.high < 0))), a.low / b.low, a.low / b.high,
+                            a.high / b.low, a.high / b.high))
+/** The largest integer. */
+RANGE(floor, range_where(known, real_floor(a.low), real_floor(a.high)))
+/** The remainder by the floor: the same operations as those of the step. */
+RANGE(modulo, range_subtract(a, range_multiply(range_floor(range_divide(a, b, c), a, c), b, c), c))
+/** The smaller one. */
+RANGE(minimum, range_where(known, real_min(a.low, b.low), real_min(a.high, b.high)))
+/** The larger one. */
+RANGE(maximum, range_where(known, real_max(a.low, b.low), real_max(a.high, b.high)))
+/** -a */
+RANGE(negate, range_where(known, -a.high, -a.low))
+/** The square root; of a negative number NaN, so that it is not known. */
+RANGE(square_root, range_where(known, real_sqrt(a.low), real_sqrt(a.high)))
+/** The absolute value. */
+RANGE(absolute, range_of_magnitudes(a, real_abs(a.low), real_abs(a.high)))
+/** Sine and cosine. */
+RANGE(sine, range_where(known, real_of(-SINE_BOUND), real_of(SINE_BOUND)))
+/** a + c */
+RANGE(add_constant, range_where(known, a.low + c, a.high + c))
+/** a * c */
+RANGE(multiply_constant, range_of_ends(known, (a.low * c), (a.low * c), (a.high * c), (a.high * c)))
 
-/** @return The range of the largest integers. */
-INLINE NumberRange range_floor(NumberRange a) {
-    return range_where(range_is_known(a), real_floor(a.low), real_floor(a.high));
-}
+/** @return The range of the results of an operation, from those of its operands. */
+typedef NumberRange RangeFunction(NumberRange a, NumberRange b, real c);
 
-/** @return The range of the absolute values. */
-INLINE NumberRange range_absolute(NumberRange a) {
-    real low = real_abs(a.low), high = real_abs(a.high);
-    mask crosses = (a.low <= 0) & (a.high >= 0);
-    return range_where(range_is_known(a), real_select(crosses, real_of(0), real_min(low, high)),
-                       real_max(low, high));
-}
+/** The ranges of operations. */
+static RangeFunction *const range_functions[SDF_TAPE_OP_COUNT] = {
+    [SDF_TAPE_CONSTANT] = range_constant,
+    [SDF_TAPE_ADD] = range_add,
+    [SDF_TAPE_SUBTRACT] = range_subtract,
+    [SDF_TAPE_MULTIPLY] = range_multiply,
+    [SDF_TAPE_DIVIDE] = range_divide,
+    [SDF_TAPE_MODULO] = range_modulo,
+    [SDF_TAPE_MINIMUM] = range_minimum,
+    [SDF_TAPE_MAXIMUM] = range_maximum,
+    [SDF_TAPE_NEGATE] = range_negate,
+    [SDF_TAPE_SQUARE_ROOT] = range_square_root,
+    [SDF_TAPE_ABSOLUTE] = range_absolute,
+    [SDF_TAPE_FLOOR] = range_floor,
+    [SDF_TAPE_SINE] = range_sine,
+    [SDF_TAPE_COSINE] = range_sine,
+    [SDF_TAPE_ADD_CONSTANT] = range_add_constant,
+    [SDF_TAPE_MULTIPLY_CONSTANT] = range_multiply_constant};
 
 /** @return The range of the results of a step. */
 static NumberRange range_of_step(const TapeStep *step, const TapePlace *place,
                                  const NumberRange *registers) {
-    const NumberRange a = registers[place->a], b = registers[place->b];
-    const real c = real_of(step->constant);
-    const NumberRange constant = {c, c};
-    const mask known = range_is_known(a), both = known & range_is_known(b);
-    switch (step->op) {
-    case SDF_TAPE_CONSTANT:
-        return constant;
-    case SDF_TAPE_ADD:
-        return range_where(both, a.low + b.low, a.high + b.high);
-    case SDF_TAPE_SUBTRACT:
-        return range_subtract(a, b);
-    case SDF_TAPE_MULTIPLY:
-        return place->a == place->b ? range_square(a) : range_multiply(a, b);
-    case SDF_TAPE_DIVIDE:
-        return range_divide(a, b);
-    case SDF_TAPE_MODULO:
-        return range_subtract(a, range_multiply(range_floor(range_divide(a, b)), b));
-    case SDF_TAPE_MINIMUM:
-        return range_where(both, real_min(a.low, b.low), real_min(a.high, b.high));
-    case SDF_TAPE_MAXIMUM:
-        return range_where(both, real_max(a.low, b.low), real_max(a.high, b.high));
-    case SDF_TAPE_NEGATE:
-        return range_where(known, -a.high, -a.low);
-    case SDF_TAPE_SQUARE_ROOT:
-        return range_where(known, real_sqrt(a.low), real_sqrt(a.high));
-    case SDF_TAPE_ABSOLUTE:
-        return range_absolute(a);
-    case SDF_TAPE_FLOOR:
-        return range_floor(a);
-    case SDF_TAPE_SINE:
-    case SDF_TAPE_COSINE:
-        return range_where(known, real_of(-SINE_BOUND), real_of(SINE_BOUND));
-    case SDF_TAPE_ADD_CONSTANT:
-        return range_where(known, a.low + c, a.high + c);
-    case SDF_TAPE_MULTIPLY_CONSTANT:
-        return range_multiply(a, constant);
-    case SDF_TAPE_INPUT:
-    case SDF_TAPE_OP_COUNT:
-        break;
-    }
-    return (NumberRange){real_of(-INFINITE), real_of(INFINITE)};
+    const bool is_square = step->op == SDF_TAPE_MULTIPLY && place->a == place->b;
+    RangeFunction *function = is_square ? range_square : range_functions[step->op];
+    return function(registers[place->a], registers[place->b], real_of(step->constant));
 }
 
 /* --- shorter tapes ---------------------------------------------------------------------------- */

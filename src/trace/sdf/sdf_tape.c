@@ -206,8 +206,9 @@ void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
     const bool clamps = operands[SDF_TAPE_CLAMPS] != 0;
     Vec3 point = clamps ? box_nearest_point(operands + SDF_TAPE_BOX, vm->point) : vm->point;
-    SdfSample sample = instruction->octree ? tape_evaluate_cells(vm, instruction, point)
-                                           : tape_evaluate(vm, tape_of(instruction), point);
+    const bool has_octree = HAS_TAPE_OCTREES && instruction->octree;
+    SdfSample sample = has_octree ? tape_evaluate_cells(vm, instruction, point)
+                                  : tape_evaluate(vm, tape_of(instruction), point);
     if (vm->wants_gradient) {
         sample.gradient = vec3_scale(sample.gradient, real_of(operands[SDF_TAPE_FACTOR]));
     }

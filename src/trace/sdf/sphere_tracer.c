@@ -212,6 +212,14 @@ INLINE bool sphere_trace_begin(const SphereTracer *tracer, const Ray *ray, mask 
     return any(trace->stepping | trace->entering);
 }
 
+/** #sphere_trace_begin for rays without a packet; not inlined, as it is long and called twice. */
+static __attribute__((noinline)) bool sphere_trace_begin_alone(const SphereTracer *tracer,
+                                                               const Ray *ray, mask active,
+                                                               real limit, bool is_shadow,
+                                                               SphereTrace *trace) {
+    return sphere_trace_begin(tracer, ray, active, limit, is_shadow, trace);
+}
+
 /* --- steps ------------------------------------------------------------------------------------ */
 
 /**
@@ -360,7 +368,7 @@ static unsigned sphere_trace_continue(const SphereTracer *tracer, SphereTrace *t
 
 bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                       bool is_shadow, SphereTrace *trace) {
-    if (!sphere_trace_begin(tracer, ray, active, limit, is_shadow, trace)) {
+    if (!sphere_trace_begin_alone(tracer, ray, active, limit, is_shadow, trace)) {
         return false;
     }
     while (any(sphere_trace_unfinished(trace))) {
@@ -546,7 +554,7 @@ static void march_log_add(MarchLog *log, const SphereTracer *tracer, const Spher
 real sphere_trace_count_steps(const SphereTracer *tracer, const Ray *ray, mask active, real limit,
                               MarchLog *log) {
     SphereTrace trace = {.arrived = mask_of(false)};
-    if (!sphere_trace_begin(tracer, ray, active, limit, false, &trace)) {
+    if (!sphere_trace_begin_alone(tracer, ray, active, limit, false, &trace)) {
         return real_of(0);
     }
     while (any(sphere_trace_unfinished(&trace))) {

@@ -23,6 +23,8 @@ enum {
 
 /** Number of cells that a cell is divided into. */
 enum { OCTANTS = 8 };
+/** Of functions that build octrees, once per scene: small, not fast. */
+#define BUILDS static __attribute__((cold, noinline))
 /** Registers of the coordinates; a shortened tape keeps them. */
 enum { INPUTS = 3 };
 
@@ -69,7 +71,7 @@ INLINE NumberRange range_of_magnitudes(NumberRange a, real p, real q) {
 /** Defines the range of the results of an operation. @param EXPRESSION It, from the ranges `a` and
  *  `b` of its operands, the constant `c`, and where both operands are known. */
 #define RANGE(NAME, EXPRESSION)                                                                    \
-    static NumberRange range_##NAME(NumberRange a, NumberRange b, real c) {                        \
+    BUILDS NumberRange range_##NAME(NumberRange a, NumberRange b, real c) {                        \
         const mask known = range_is_known(a) & range_is_known(b);                                  \
         (void)c, (void)known;                                                                      \
         return (EXPRESSION);                                                                       \
@@ -133,7 +135,7 @@ static RangeFunction *const range_functions[SDF_TAPE_OP_COUNT] = {
     [SDF_TAPE_MULTIPLY_CONSTANT] = range_multiply_constant};
 
 /** @return The range of the results of a step. */
-static NumberRange range_of_step(const TapeStep *step, const TapePlace *place,
+BUILDS NumberRange range_of_step(const TapeStep *step, const TapePlace *place,
                                  const NumberRange *registers) {
     const bool is_square = step->op == SDF_TAPE_MULTIPLY && place->a == place->b;
     RangeFunction *function = is_square ? range_square : range_functions[step->op];
@@ -172,7 +174,7 @@ INLINE int step_operands(SdfTapeOp op) {
 
 /** Notes in which cells a step always gives one of its operands. Of equal ones it gives a. @param i
  *  Its index in the tape. */
-static void note_choice(OctreeWork *work, SdfTapeOp op, const TapePlace *place, int i) {
+BUILDS void note_choice(OctreeWork *work, SdfTapeOp op, const TapePlace *place, int i) {
     work->takes_a[i] = work->takes_b[i] = 0;
     if (step_chooses(op)) {
         const NumberRange a = work->registers[place->a], b = work->registers[place->b];
@@ -187,7 +189,7 @@ static void note_choice(OctreeWork *work, SdfTapeOp op, const TapePlace *place, 
 
 /** Finds which operands of minima and maxima win in LANES cells. @return The range of the result.
  *  @param low Lowest corners. @param high Highest ones. */
-static NumberRange find_choices(OctreeWork *work, Tape tape, Vec3 low, Vec3 high) {
+BUILDS NumberRange find_choices(OctreeWork *work, Tape tape, Vec3 low, Vec3 high) {
     work->registers[0] = (NumberRange){low.x, high.x};
     work->registers[1] = (NumberRange){low.y, high.y};
     work->registers[2] = (NumberRange){low.z, high.z};
@@ -202,7 +204,7 @@ static NumberRange find_choices(OctreeWork *work, Tape tape, Vec3 low, Vec3 high
 
 /** Finds what the steps of a tape need where some of their choices are known. @return The number
  *  that is the result. @param lane Which of the cells. */
-static uint16_t find_operands(OctreeWork *work, Tape tape, int lane) {
+BUILDS uint16_t find_operands(OctreeWork *work, Tape tape, int lane) {
     for (int i = 0; i < INPUTS; i++) {
         work->number_in[i] = work->same_as[i] = (uint16_t)i;
     }
@@ -222,7 +224,7 @@ static uint16_t find_operands(OctreeWork *work, Tape tape, int lane) {
 
 /** Finds the last uses of the numbers of a tape. @param result The number that is the result.
  *  @return Number of steps that are needed. */
-static int find_last_uses(OctreeWork *work, Tape tape, uint16_t result) {
+BUILDS int find_last_uses(OctreeWork *work, Tape tape, uint16_t result) {
     int needed = 0;
     for (int i = 0; i < INPUTS + tape.count; i++) {
         work->last_use[i] = -1;
@@ -252,7 +254,7 @@ INLINE void release_number(OctreeWork *work, uint16_t number, int step) {
 
 /** Writes the steps of a tape that are needed. @param[out] places Room for them. @return false
  *  without a free register: a tape that needs nearly all may also use those of the coordinates. */
-static bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
+BUILDS bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
     work->free_count = 0;
     for (int i = SDF_TAPE_REGISTERS - 1; i >= INPUTS; i--) {
         work->free[work->free_count++] = (uint16_t)i;
@@ -282,7 +284,7 @@ static bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
 
 /** @return The tape for a cell: a shorter one, or the same. @param lane Which of the cells of
  *          #find_choices. @param[out] places Room for its steps. */
-static Tape shorten(OctreeWork *work, Tape tape, int lane, TapePlace *places) {
+BUILDS Tape tape_shorten(OctreeWork *work, Tape tape, int lane, TapePlace *places) {
     const uint16_t result = find_operands(work, tape, lane);
     const int count = find_last_uses(work, tape, result);
     return count == tape.count || !write_places(work, tape, places)
@@ -321,7 +323,7 @@ static scalar box_length(const CellBox *box) {
 }
 
 /** @return Number of minima and maxima of a tape. */
-static int count_choices(Tape tape) {
+BUILDS int count_choices(Tape tape) {
     int choices = 0;
     for (int i = 0; i < tape.count; i++) {
         choices += step_chooses(tape_step(&tape, i)->op);
@@ -348,7 +350,7 @@ typedef struct Octants {
 
 /** Finds the tapes of the parts of a cell. @param[out] places Room for eight tapes as long as that
  *  of the cell. */
-static void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePlace *places,
+BUILDS void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePlace *places,
                          Octants *octants) {
     const scalar length = box_length(box) / 2;
     for (unsigned first = 0; first < OCTANTS; first += LANES) {
@@ -367,7 +369,7 @@ static void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePl
         for (unsigned lane = 0; lane < LANES && first + lane < OCTANTS; lane++) {
             const unsigned octant = first + lane;
             octants->tapes[octant] =
-                shorten(work, tape, (int)lane, places + octant * (size_t)tape.count);
+                tape_shorten(work, tape, (int)lane, places + octant * (size_t)tape.count);
             octants->is_far[octant] = real_lane(result.low, (int)lane) > length ||
                                       real_lane(result.high, (int)lane) < -length;
         }
@@ -375,7 +377,7 @@ static void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePl
 }
 
 /** Keeps a tape in a cell that is not divided. */
-static void cell_keep_tape(OctreeBuilder *builder, TapeCell *cell, Tape tape) {
+BUILDS void cell_keep_tape(OctreeBuilder *builder, TapeCell *cell, Tape tape) {
     TapeOctree *octree = builder->octree;
     builder->is_full |= octree->place_count + tape.count > builder->room;
     if (!builder->is_full) {
@@ -389,7 +391,7 @@ static void cell_keep_tape(OctreeBuilder *builder, TapeCell *cell, Tape tape) {
 
 /** Divides a cell as long as that pays, or keeps its tape. @param level Its level; the whole: 0.
  *  @param places Free part of #OctreeBuilder.stack. */
-static void cell_build(OctreeBuilder *builder, uint32_t index, const CellBox *box, Tape tape,
+BUILDS void cell_build(OctreeBuilder *builder, uint32_t index, const CellBox *box, Tape tape,
                        bool is_far, int level, TapePlace *places) {
     TapeOctree *octree = builder->octree;
     if (is_far || level == builder->levels || tape.count < OCTREE_STEPS_MINIMUM ||
@@ -411,7 +413,7 @@ static void cell_build(OctreeBuilder *builder, uint32_t index, const CellBox *bo
 }
 
 /** @return The box of an octree: that of its tape, and some room around. */
-static CellBox octree_box(const SdfInstruction *instruction) {
+BUILDS CellBox octree_box(const SdfInstruction *instruction) {
     CellBox box;
     const scalar *corners = instruction->operands + SDF_TAPE_BOX;
     memcpy(box.low, corners, sizeof box.low);
@@ -433,8 +435,7 @@ size_t tape_octree_size(const SdfNode *tape) {
     for (int i = 0; i < 6; i++) {
         has_box = has_box && fabs(tape->operands[SDF_TAPE_BOX + i]) < HUGE_VAL;
     }
-    // Quad is the reference, and its ranges would take longer than a picture.
-    if (REAL_BITS > 64 || tape->body_count < OCTREE_TAPE_MINIMUM ||
+    if (!HAS_TAPE_OCTREES || tape->body_count < OCTREE_TAPE_MINIMUM ||
         choices < OCTREE_CHOICES_MINIMUM || !has_box) {
         return 0;
     }
@@ -446,7 +447,7 @@ size_t tape_octree_size(const SdfNode *tape) {
 
 /** Builds an octree with as many levels as there is room for. @return Whether there is room for
  *  one. */
-static bool octree_build_levels(OctreeBuilder *builder, const SdfInstruction *instruction) {
+BUILDS bool octree_build_levels(OctreeBuilder *builder, const SdfInstruction *instruction) {
     const CellBox box = octree_box(instruction);
     TapeOctree *octree = builder->octree;
     memcpy(octree->low, box.low, sizeof box.low);
@@ -463,6 +464,9 @@ static bool octree_build_levels(OctreeBuilder *builder, const SdfInstruction *in
 }
 
 const TapeOctree *tape_octree_build(void *memory, const SdfInstruction *instruction) {
+    if (!HAS_TAPE_OCTREES) {
+        return NULL; // Nothing of the rest is compiled.
+    }
     const size_t count = (size_t)instruction->body_count;
     TapeOctree *octree = memory;
     char *cells = (char *)memory + shape_aligned_size(sizeof *octree);

@@ -15,6 +15,10 @@
 
 #include "trace/sdf/sdf_tape.h"
 
+/** Whether tapes have octrees: not in quad, which is the reference, and whose ranges would take
+ *  longer than a picture. */
+enum { HAS_TAPE_OCTREES = REAL_BITS <= 64 };
+
 /** A cell of an octree. */
 typedef struct TapeCell {
     uint32_t children;    /**< Index of the first of its eight cells; 0: it is not divided. */

@@ -235,9 +235,9 @@ typedef struct FieldCosts {
     double least, most; /**< Operations per step, over the whole picture. */
 } FieldCosts;
 
-/** Each ray counts what it would evaluate alone, at every width. An operation is a solid, what
- * joins two, a level of a sponge, an iteration, a step of a function; what is skipped does not
- * count. */
+/** Each ray counts what it would evaluate alone, at every width, but for octrees of functions,
+ * which not all engines have. An operation is a solid, what joins two, a level of a sponge, an
+ * iteration, a step of a function; what is skipped does not count. */
 static void test_operations(void **state) {
     static const FieldCosts cases[] = {
         {"distance.sphere { radius = 1 }", 1, 1},

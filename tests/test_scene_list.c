@@ -203,6 +203,18 @@ static void test_selected_first(void **state) {
     browser_key(browser, SDLK_HOME);
     browser_select_current(browser);
     assert_int_equal(browser->selected, 0);
+    // That the first lesson is wanted outlasts the end of the previous list's thread.
+    atomic_store(&browser->list.is_running, true);
+    assert_true(browser_open(browser, &settings, 0, path));
+    browser_begin_at_top(browser);
+    atomic_store(&browser->list.is_running, false);
+    assert_true(browser_open(browser, &settings, 0, path));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    browser_select_current(browser);
+    assert_true(browser->has_selection);
+    assert_int_equal(browser->selected, 0);
     browser_deinit(browser);
     free(browser);
 }

@@ -13,8 +13,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** The quantity that a picture shows. A new one is the last: links to the page have their numbers.
- */
+/** The quantity that a picture shows. New ones are added at the end: links to the page hold these
+ *  numbers. */
 typedef enum Layer {
     LAYER_SHADED,     /**< Radiance: the picture itself. */
     LAYER_NORMALS,    /**< Unit normals of surfaces. */

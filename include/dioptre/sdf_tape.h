@@ -15,7 +15,7 @@
 
 #include "dioptre/sdf.h"
 
-/** Operation of a step. */
+/** Operation of a step; those with two operands follow one another, see #sdf_tape_operand_count. */
 typedef enum {
     SDF_TAPE_INPUT,             /**< A coordinate of the point. */
     SDF_TAPE_CONSTANT,          /**< The constant. */
@@ -36,6 +36,14 @@ typedef enum {
     SDF_TAPE_MULTIPLY_CONSTANT, /**< a * the constant */
     SDF_TAPE_OP_COUNT           /**< Number of operations. */
 } SdfTapeOp;
+
+/** @return Number of operands of an operation: 0, 1 or 2. */
+static inline int sdf_tape_operand_count(SdfTapeOp op) {
+    if (op <= SDF_TAPE_CONSTANT) {
+        return 0;
+    }
+    return op <= SDF_TAPE_MAXIMUM ? 2 : 1;
+}
 
 /** Largest number of steps: with its head, a tape then has #SDF_NODES_MAXIMUM nodes. */
 enum { SDF_TAPE_STEPS_MAXIMUM = SDF_NODES_MAXIMUM - 1 };

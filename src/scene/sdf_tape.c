@@ -11,11 +11,6 @@
 
 /* --- recording -------------------------------------------------------------------------------- */
 
-/** @return Whether an operation has two operands. */
-static bool has_two_operands(SdfTapeOp op) {
-    return op >= SDF_TAPE_ADD && op <= SDF_TAPE_MAXIMUM;
-}
-
 /** @return Whether a step is a constant. */
 static bool is_constant(const SdfTape *tape, int step) {
     return tape->steps[step].op == SDF_TAPE_CONSTANT;
@@ -128,7 +123,7 @@ static void sort_operands(const SdfTape *tape, SdfTapeStep *step) {
 }
 
 int sdf_tape_add(SdfTape *tape, SdfTapeOp op, int a, int b) {
-    SdfTapeStep step = {op, a, has_two_operands(op) ? b : a, 0};
+    SdfTapeStep step = {op, a, sdf_tape_operand_count(op) == 2 ? b : a, 0};
     if (is_constant(tape, step.a) && is_constant(tape, step.b)) {
         double x = tape->steps[step.a].constant, y = tape->steps[step.b].constant;
         return sdf_tape_add_constant(

@@ -32,7 +32,7 @@ static double random_constant(uint64_t *state) {
     return kind == 0 ? 0 : kind == 1 ? SDF_TAPE_CONSTANT_MAXIMUM : random_corner(state);
 }
 
-/** A tape that is being written: no register is written twice. */
+/** A tape that is being written: its registers are taken in turn. */
 typedef struct TapeWriter {
     SdfNode *nodes; /**< Its node, and its steps. */
     int count;      /**< Number of steps. */
@@ -75,7 +75,7 @@ static void write_operations(TapeWriter *writer, uint64_t *seed) {
             op = SDF_TAPE_DIVIDE;
         }
         const bool is_square = op == SDF_TAPE_MULTIPLY && random_below(seed, 2);
-        const bool has_one = step_operands(op) < 2 || is_square;
+        const bool has_one = sdf_tape_operand_count(op) < 2 || is_square;
         add_step(writer, op, operands[0], has_one ? operands[0] : operands[1],
                  random_constant(seed));
     }
@@ -123,10 +123,10 @@ static bool are_same(real a, real b, unsigned lanes) {
     return is_equal;
 }
 
-/** Compares a program with its whole tape at random points. */
-static void compare(const SdfProgram *program, uint64_t *seed, OctreeFinding *finding) {
-    const SdfInstruction *instruction = program->instructions;
-    const Tape whole = tape_of(instruction);
+/** Compares two programs of the same field at random points; in some, numbers round upwards, where
+ *  whole tapes are evaluated. @param plain The one without octrees. */
+static void compare(const SdfProgram *program, const SdfProgram *plain, uint64_t *seed,
+                    OctreeFinding *finding) {
     for (int i = 0; i < POINT_VECTORS && !finding->fault; i++) {
         Vec3 p;
         const scalar spreads[] = {0, (scalar)0.02f, (scalar)0.25f};
@@ -140,50 +140,108 @@ static void compare(const SdfProgram *program, uint64_t *seed, OctreeFinding *fi
         }
         const unsigned lanes = LANES == 1 ? 1 : random_below(seed, ALL_LANES + 1);
         const mask active = mask_of_bits(lanes);
-        uint64_t steps = 0;
-        const real distance = sdf_distance_counted(program, p, active, &steps);
-        const SdfSample sample = sdf_sample(program, p, active), plain = tape_sample(whole, p);
-        finding->steps += steps - 1;
-        finding->whole_steps += whole.count;
+        const bool is_upward = random_below(seed, 8) == 0;
+        uint64_t steps = 0, whole_steps = 0;
+        fesetround(is_upward ? FE_UPWARD : FE_TONEAREST);
+        const real distance = sdf_distance_counted(program, p, active, &steps),
+                   whole = sdf_distance_counted(plain, p, active, &whole_steps);
+        const SdfSample a = sdf_sample(program, p, active), b = sdf_sample(plain, p, active);
+        fesetround(FE_TONEAREST);
+        finding->steps += is_upward ? 0 : steps;
+        finding->whole_steps += is_upward ? 0 : whole_steps;
         finding->point = i;
-        finding->fault = !are_same(distance, tape_value(whole, p), lanes) ? "a distance"
-                         : !are_same(sample.distance, plain.distance, lanes)
-                             ? "a distance with gradient"
-                         : !are_same(sample.gradient.x, plain.gradient.x, lanes) ||
-                                 !are_same(sample.gradient.y, plain.gradient.y, lanes) ||
-                                 !are_same(sample.gradient.z, plain.gradient.z, lanes)
+        finding->fault = !are_same(distance, whole, lanes)          ? "a distance"
+                         : !are_same(a.distance, b.distance, lanes) ? "a distance with gradient"
+                         : !are_same(a.gradient.x, b.gradient.x, lanes) ||
+                                 !are_same(a.gradient.y, b.gradient.y, lanes) ||
+                                 !are_same(a.gradient.z, b.gradient.z, lanes)
                              ? "a gradient"
-                             : NULL;
+                         : is_upward && lanes && steps < whole_steps ? "a shorter tape"
+                                                                     : NULL;
     }
 }
 
-/** See #OctreeChecks.run. */
-static OctreeFinding check_tape(uint64_t seed, int balls) {
-    OctreeFinding finding = {NULL, 0, 0, 0, 0};
-    Sdf *sdf = calloc(1, sdf_size(STEPS_MAXIMUM + 1));
-    TapeWriter writer = {.nodes = sdf->nodes, .to = INPUTS};
-    if (balls > 0) {
-        write_balls(&writer, &seed, balls);
-    } else {
-        write_operations(&writer, &seed);
-    }
-    SdfNode *tape = sdf->nodes;
-    *tape = (SdfNode){.op = SDF_TAPE, .body_count = writer.count};
-    tape->operands[SDF_TAPE_FACTOR] = 1;
-    tape->operands[SDF_TAPE_RESULT] = writer.last;
+/** Writes the node of a tape in front of its steps. @param half Half the edge of its box. @return
+ *  The node behind it. */
+static SdfNode *end_tape(const TapeWriter *writer, double factor, bool clamps, double half) {
+    SdfNode *tape = writer->nodes;
+    *tape = (SdfNode){.op = SDF_TAPE, .body_count = writer->count};
+    tape->operands[SDF_TAPE_FACTOR] = factor;
+    tape->operands[SDF_TAPE_RESULT] = writer->last;
+    tape->operands[SDF_TAPE_CLAMPS] = clamps;
     for (int axis = 0; axis < 3; axis++) {
-        tape->operands[SDF_TAPE_BOX + axis] = -1;
-        tape->operands[SDF_TAPE_BOX + 3 + axis] = 1;
+        tape->operands[SDF_TAPE_BOX + axis] = -half;
+        tape->operands[SDF_TAPE_BOX + 3 + axis] = half;
     }
-    sdf->node_count = 1 + writer.count;
-    const CompiledSdf compiled = compile_sdf(sdf);
+    return tape + 1 + writer->count;
+}
+
+/** Writes a tape. @return The node behind it. See #OctreeChecks.run. */
+static SdfNode *write_tape(SdfNode *nodes, uint64_t *seed, int balls, double factor, bool clamps) {
+    TapeWriter writer = {.nodes = nodes, .to = INPUTS};
+    if (balls > 0) {
+        write_balls(&writer, seed, balls);
+    } else {
+        write_operations(&writer, seed);
+    }
+    return end_tape(&writer, factor, clamps, 1);
+}
+
+/** Takes the octrees of both tapes away. */
+static void remove_octrees(const SdfProgram *program) {
+    SdfInstruction *first = program->instructions, *intersection = first + 1 + first->body_count;
+    first->octree = intersection[1].octree = NULL;
+}
+
+/** See #OctreeChecks.run. */
+static OctreeFinding check_tapes(uint64_t seed, int balls) {
+    OctreeFinding finding = {NULL, 0, 0, 0, 0};
+    Sdf *sdf = calloc(1, sdf_size(2 * STEPS_MAXIMUM + 3));
+    SdfNode *intersection = write_tape(sdf->nodes, &seed, balls, 1, false);
+    SdfNode *end = write_tape(intersection + 1, &seed, balls, 0.25, true);
+    *intersection = (SdfNode){.op = SDF_INTERSECTION, .body_count = (int)(end - intersection) - 1};
+    sdf->node_count = (int)(end - sdf->nodes);
+    const CompiledSdf compiled = compile_sdf(sdf), plain = compile_sdf(sdf);
     const TapeOctree *octree = compiled.program.instructions->octree;
     finding.cells = octree ? octree->cell_count : 0;
-    compare(&compiled.program, &seed, &finding);
+    remove_octrees(&plain.program);
+    compare(&compiled.program, &plain.program, &seed, &finding);
     free(compiled.memory);
+    free(plain.memory);
     free(sdf);
     return finding;
 }
 
+/** Writes minima of square roots of -1. */
+static void write_unknown(TapeWriter *writer) {
+    int result = 0;
+    for (int i = 0; i < 70; i++) {
+        int negative = add_step(writer, SDF_TAPE_CONSTANT, 0, 0, -1);
+        int root = add_step(writer, SDF_TAPE_SQUARE_ROOT, negative, negative, 0);
+        result = add_step(writer, SDF_TAPE_MINIMUM, result, root, 0);
+    }
+}
+
+/** See #OctreeChecks.cells. */
+static unsigned count_cells(OctreeRefusal refusal) {
+    uint64_t seed = 1;
+    Sdf *sdf = calloc(1, sdf_size(STEPS_MAXIMUM + 1));
+    TapeWriter writer = {.nodes = sdf->nodes, .to = INPUTS};
+    if (refusal == OCTREE_UNKNOWN) {
+        write_unknown(&writer);
+    } else {
+        write_balls(&writer, &seed, 70);
+    }
+    // 1e39 is finite in double alone.
+    const SdfNode *end = end_tape(&writer, 1, false, refusal == OCTREE_HUGE_BOX ? 1e39 : 1);
+    sdf->node_count = (int)(end - sdf->nodes);
+    const CompiledSdf compiled = compile_sdf(sdf);
+    const TapeOctree *octree = compiled.program.instructions->octree;
+    const unsigned cells = octree ? octree->cell_count : 0;
+    free(compiled.memory);
+    free(sdf);
+    return cells;
+}
+
 extern const OctreeChecks CHECKS;
-const OctreeChecks CHECKS = {check_tape};
+const OctreeChecks CHECKS = {check_tapes, count_cells};

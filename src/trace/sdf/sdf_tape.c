@@ -8,6 +8,8 @@
 #include "trace/math/sine.h"
 #include "trace/sdf/tape_octree.h"
 
+#include <fenv.h>
+
 /** LANES numbers with their derivatives. */
 typedef SdfSample TapeDual;
 
@@ -45,18 +47,18 @@ INLINE TapeDual dual_chain2(real value, real slope_a, TapeDual a, real slope_b, 
  *               and b with their derivatives.
  */
 #define TAPE_STEP(NAME, VALUE, DUAL)                                                               \
-    static void tape_##NAME(real *registers, const TapePlace *place, const TapeStep *step) {       \
-        const real a = registers[place->a], b = registers[place->b], c = real_of(step->constant);  \
+    static void tape_##NAME(real *registers, const TapeUse *use, const TapeStep *step) {           \
+        const real a = registers[use->a], b = registers[use->b], c = real_of(step->constant);      \
         (void)a, (void)b, (void)c;                                                                 \
-        registers[place->to] = (VALUE);                                                            \
+        registers[use->to] = (VALUE);                                                              \
     }                                                                                              \
-    static void tape_##NAME##_dual(TapeDual *registers, const TapePlace *place,                    \
+    static void tape_##NAME##_dual(TapeDual *registers, const TapeUse *use,                        \
                                    const TapeStep *step) {                                         \
-        const TapeDual p = registers[place->a], q = registers[place->b];                           \
+        const TapeDual p = registers[use->a], q = registers[use->b];                               \
         const real a = p.distance, b = q.distance, c = real_of(step->constant);                    \
         (void)a, (void)b, (void)c, (void)p, (void)q;                                               \
         const real value = (VALUE);                                                                \
-        registers[place->to] = (DUAL);                                                             \
+        registers[use->to] = (DUAL);                                                               \
     }
 
 /** The constant. */
@@ -97,9 +99,9 @@ TAPE_STEP(multiply_constant, (a * c), dual_chain(value, c, p))
 /** Both forms of a step. */
 typedef struct TapeOperation {
     /** On numbers alone. */
-    void (*run)(real *registers, const TapePlace *place, const TapeStep *step);
+    void (*run)(real *registers, const TapeUse *use, const TapeStep *step);
     /** With derivatives. */
-    void (*differentiate)(TapeDual *registers, const TapePlace *place, const TapeStep *step);
+    void (*differentiate)(TapeDual *registers, const TapeUse *use, const TapeStep *step);
 } TapeOperation;
 
 /** The forms of an operation. */
@@ -133,10 +135,10 @@ void sdf_tape_compile(SdfInstruction *body, const SdfNode *tape) {
         const double *operands = tape[1 + i].operands;
         const SdfTapeOp op = (SdfTapeOp)operands[SDF_STEP_OP];
         steps[i] = (TapeStep){.run = tape_operations[op].run,
-                              .place = {.step = (uint16_t)i,
-                                        .to = (uint16_t)operands[SDF_STEP_TO],
-                                        .a = (uint16_t)operands[SDF_STEP_A],
-                                        .b = (uint16_t)operands[SDF_STEP_B]},
+                              .use = {.step = (uint16_t)i,
+                                      .to = (uint16_t)operands[SDF_STEP_TO],
+                                      .a = (uint16_t)operands[SDF_STEP_A],
+                                      .b = (uint16_t)operands[SDF_STEP_B]},
                               .constant = (scalar)operands[SDF_STEP_CONSTANT],
                               .op = op};
     }
@@ -149,7 +151,7 @@ real tape_value(Tape tape, Vec3 p) {
     registers[2] = p.z;
     for (int i = 0; i < tape.count; i++) {
         const TapeStep *step = tape_step(&tape, i);
-        step->run(registers, tape_place(&tape, i), step);
+        step->run(registers, tape_use(&tape, i), step);
     }
     return registers[tape.result];
 }
@@ -162,7 +164,7 @@ SdfSample tape_sample(Tape tape, Vec3 p) {
     registers[2] = dual_of(p.z, (Vec3){zero, zero, one});
     for (int i = 0; i < tape.count; i++) {
         const TapeStep *step = tape_step(&tape, i);
-        tape_operations[step->op].differentiate(registers, tape_place(&tape, i), step);
+        tape_operations[step->op].differentiate(registers, tape_use(&tape, i), step);
     }
     return registers[tape.result];
 }
@@ -206,7 +208,7 @@ void sdf_op_tape(SdfVm *vm, const SdfInstruction *instruction) {
     const scalar *operands = instruction->operands;
     const bool clamps = operands[SDF_TAPE_CLAMPS] != 0;
     Vec3 point = clamps ? box_nearest_point(operands + SDF_TAPE_BOX, vm->point) : vm->point;
-    const bool has_octree = HAS_TAPE_OCTREES && instruction->octree;
+    const bool has_octree = HAS_TAPE_OCTREES && instruction->octree && fegetround() == FE_TONEAREST;
     SdfSample sample = has_octree ? tape_evaluate_cells(vm, instruction, point)
                                   : tape_evaluate(vm, tape_of(instruction), point);
     if (vm->wants_gradient) {

@@ -8,20 +8,20 @@
 #include "dioptre/sdf_tape.h"
 #include "trace/sdf/sdf_vm.h"
 
-/** Registers of a step, and which step it is: a shorter tape has some steps of the whole one, with
- *  other registers. */
-typedef struct TapePlace {
+/** A step as a tape uses it. A shorter tape uses some steps of the whole one, with other registers.
+ */
+typedef struct TapeUse {
     uint16_t step; /**< Index in #Tape.steps. */
     uint16_t to;   /**< Register of the result. */
     uint16_t a;    /**< Register of the first operand. */
     uint16_t b;    /**< Register of the second operand; #a if there is one operand. */
-} TapePlace;
+} TapeUse;
 
 /** A step of a tape. */
 typedef struct TapeStep {
-    /** Executes it. @param place Its registers. */
-    void (*run)(real *registers, const TapePlace *place, const struct TapeStep *step);
-    TapePlace place; /**< Its registers in the whole tape. */
+    /** Executes it. @param use Its registers. */
+    void (*run)(real *registers, const TapeUse *use, const struct TapeStep *step);
+    TapeUse use;     /**< Its registers in the whole tape. */
     scalar constant; /**< Constant. */
     SdfTapeOp op;    /**< Operation. */
 } TapeStep;
@@ -31,11 +31,11 @@ _Static_assert(sizeof(TapeStep) <= sizeof(SdfInstruction),
 
 /** A tape. */
 typedef struct Tape {
-    const TapeStep *steps;   /**< The steps of the whole tape; not owned. */
-    const TapePlace *places; /**< The steps that are executed, in their order; not owned. NULL: all
-                                of them. */
-    uint16_t count;          /**< Number of these. */
-    uint16_t result;         /**< Register of the result. */
+    const TapeStep *steps; /**< The steps of the whole tape; not owned. */
+    const TapeUse *uses;   /**< The steps that are executed, in their order; not owned. NULL: all
+                                  of them. */
+    uint16_t count;        /**< Number of these. */
+    uint16_t result;       /**< Register of the result. */
 } Tape;
 
 /** @return The whole tape of an instruction. */
@@ -46,13 +46,13 @@ INLINE Tape tape_of(const SdfInstruction *instruction) {
 }
 
 /** @return The registers of a step that is executed. @param i Its index among these. */
-INLINE const TapePlace *tape_place(const Tape *tape, int i) {
-    return tape->places ? &tape->places[i] : &tape->steps[i].place;
+INLINE const TapeUse *tape_use(const Tape *tape, int i) {
+    return tape->uses ? &tape->uses[i] : &tape->steps[i].use;
 }
 
-/** @return The step that is executed there. @param i See #tape_place. */
+/** @return The step that is executed there. @param i See #tape_use. */
 INLINE const TapeStep *tape_step(const Tape *tape, int i) {
-    return &tape->steps[tape->places ? tape->places[i].step : i];
+    return &tape->steps[tape->uses ? tape->uses[i].step : i];
 }
 
 /** @return The result of a tape at points. */

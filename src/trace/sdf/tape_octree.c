@@ -18,12 +18,14 @@ enum {
     OCTREE_LEVELS = 4, /**< Most levels below the whole: one more takes longer to build than
                           it saves in a picture (measured with 80 balls). */
     OCTREE_CELLS = 1 + 8 + 64 + 512 + 4096, /**< Most cells: those of all levels. */
-    OCTREE_PLACES_PER_STEP = 512            /**< Room for steps of cells, per step of the tape. */
+    OCTREE_USES_PER_STEP = 512 /**< Room for steps of cells, per step of the tape: as many as the
+                                  cells of the last level but one. */
 };
 
 /** Number of cells that a cell is divided into. */
 enum { OCTANTS = 8 };
-/** Of functions that build octrees, once per scene: small, not fast. */
+/** Begins a function that builds octrees. Each tracer builds its own, once: such a function is to
+ * be small, as the page fetches it, not fast. */
 #define BUILDS static __attribute__((cold, noinline))
 /** Registers of the coordinates; a shortened tape keeps them. */
 enum { INPUTS = 3 };
@@ -135,11 +137,11 @@ static RangeFunction *const range_functions[SDF_TAPE_OP_COUNT] = {
     [SDF_TAPE_MULTIPLY_CONSTANT] = range_multiply_constant};
 
 /** @return The range of the results of a step. */
-BUILDS NumberRange range_of_step(const TapeStep *step, const TapePlace *place,
+BUILDS NumberRange range_of_step(const TapeStep *step, const TapeUse *use,
                                  const NumberRange *registers) {
-    const bool is_square = step->op == SDF_TAPE_MULTIPLY && place->a == place->b;
+    const bool is_square = step->op == SDF_TAPE_MULTIPLY && use->a == use->b;
     RangeFunction *function = is_square ? range_square : range_functions[step->op];
-    return function(registers[place->a], registers[place->b], real_of(step->constant));
+    return function(registers[use->a], registers[use->b], real_of(step->constant));
 }
 
 /* --- shorter tapes ---------------------------------------------------------------------------- */
@@ -167,17 +169,12 @@ INLINE bool step_chooses(SdfTapeOp op) {
     return op == SDF_TAPE_MINIMUM || op == SDF_TAPE_MAXIMUM;
 }
 
-/** @return Number of operands of a step. */
-INLINE int step_operands(SdfTapeOp op) {
-    return op == SDF_TAPE_CONSTANT ? 0 : op <= SDF_TAPE_MAXIMUM ? 2 : 1;
-}
-
 /** Notes in which cells a step always gives one of its operands. Of equal ones it gives a. @param i
  *  Its index in the tape. */
-BUILDS void note_choice(OctreeWork *work, SdfTapeOp op, const TapePlace *place, int i) {
+BUILDS void note_choice(OctreeWork *work, SdfTapeOp op, const TapeUse *use, int i) {
     work->takes_a[i] = work->takes_b[i] = 0;
     if (step_chooses(op)) {
-        const NumberRange a = work->registers[place->a], b = work->registers[place->b];
+        const NumberRange a = work->registers[use->a], b = work->registers[use->b];
         const bool is_minimum = op == SDF_TAPE_MINIMUM;
         mask is_a = is_minimum ? a.high <= b.low : a.low >= b.high;
         mask is_b = is_minimum ? b.high < a.low : b.low > a.high;
@@ -194,10 +191,10 @@ BUILDS NumberRange find_choices(OctreeWork *work, Tape tape, Vec3 low, Vec3 high
     work->registers[1] = (NumberRange){low.y, high.y};
     work->registers[2] = (NumberRange){low.z, high.z};
     for (int i = 0; i < tape.count; i++) {
-        const TapePlace *place = tape_place(&tape, i);
+        const TapeUse *use = tape_use(&tape, i);
         const TapeStep *step = tape_step(&tape, i);
-        note_choice(work, step->op, place, i);
-        work->registers[place->to] = range_of_step(step, place, work->registers);
+        note_choice(work, step->op, use, i);
+        work->registers[use->to] = range_of_step(step, use, work->registers);
     }
     return work->registers[tape.result];
 }
@@ -209,15 +206,15 @@ BUILDS uint16_t find_operands(OctreeWork *work, Tape tape, int lane) {
         work->number_in[i] = work->same_as[i] = (uint16_t)i;
     }
     for (int i = 0; i < tape.count; i++) {
-        const TapePlace *place = tape_place(&tape, i);
+        const TapeUse *use = tape_use(&tape, i);
         const uint16_t number = (uint16_t)(INPUTS + i);
-        const int operands = step_operands(tape_step(&tape, i)->op);
-        work->a[i] = operands > 0 ? work->same_as[work->number_in[place->a]] : 0;
-        work->b[i] = operands > 1 ? work->same_as[work->number_in[place->b]] : work->a[i];
+        const int operands = sdf_tape_operand_count(tape_step(&tape, i)->op);
+        work->a[i] = operands > 0 ? work->same_as[work->number_in[use->a]] : 0;
+        work->b[i] = operands > 1 ? work->same_as[work->number_in[use->b]] : work->a[i];
         work->same_as[number] = work->takes_a[i] >> lane & 1   ? work->a[i]
                                 : work->takes_b[i] >> lane & 1 ? work->b[i]
                                                                : number;
-        work->number_in[place->to] = number;
+        work->number_in[use->to] = number;
     }
     return work->same_as[work->number_in[tape.result]];
 }
@@ -235,7 +232,7 @@ BUILDS int find_last_uses(OctreeWork *work, Tape tape, uint16_t result) {
             continue;
         }
         needed++;
-        if (step_operands(tape_step(&tape, i)->op) > 0) {
+        if (sdf_tape_operand_count(tape_step(&tape, i)->op) > 0) {
             int *a = &work->last_use[work->a[i]], *b = &work->last_use[work->b[i]];
             *a = *a < 0 ? i : *a;
             *b = *b < 0 ? i : *b;
@@ -252,9 +249,9 @@ INLINE void release_number(OctreeWork *work, uint16_t number, int step) {
     }
 }
 
-/** Writes the steps of a tape that are needed. @param[out] places Room for them. @return false
+/** Writes the steps of a tape that are needed. @param[out] uses Room for them. @return false
  *  without a free register: a tape that needs nearly all may also use those of the coordinates. */
-BUILDS bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
+BUILDS bool write_uses(OctreeWork *work, Tape tape, TapeUse *uses) {
     work->free_count = 0;
     for (int i = SDF_TAPE_REGISTERS - 1; i >= INPUTS; i--) {
         work->free[work->free_count++] = (uint16_t)i;
@@ -267,9 +264,9 @@ BUILDS bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
         if (work->last_use[number] < 0) {
             continue;
         }
-        const uint16_t step = tape_place(&tape, i)->step, a = work->register_of[work->a[i]],
+        const uint16_t step = tape_use(&tape, i)->step, a = work->register_of[work->a[i]],
                        b = work->register_of[work->b[i]];
-        if (step_operands(tape_step(&tape, i)->op) > 0) {
+        if (sdf_tape_operand_count(tape_step(&tape, i)->op) > 0) {
             release_number(work, work->a[i], i);
             release_number(work, work->b[i], i);
         }
@@ -277,19 +274,19 @@ BUILDS bool write_places(OctreeWork *work, Tape tape, TapePlace *places) {
             return false;
         }
         work->register_of[number] = work->free[--work->free_count];
-        *places++ = (TapePlace){step, work->register_of[number], a, b};
+        *uses++ = (TapeUse){step, work->register_of[number], a, b};
     }
     return true;
 }
 
 /** @return The tape for a cell: a shorter one, or the same. @param lane Which of the cells of
- *          #find_choices. @param[out] places Room for its steps. */
-BUILDS Tape tape_shorten(OctreeWork *work, Tape tape, int lane, TapePlace *places) {
+ *          #find_choices. @param[out] uses Room for its steps. */
+BUILDS Tape tape_shorten(OctreeWork *work, Tape tape, int lane, TapeUse *uses) {
     const uint16_t result = find_operands(work, tape, lane);
     const int count = find_last_uses(work, tape, result);
-    return count == tape.count || !write_places(work, tape, places)
+    return count == tape.count || !write_uses(work, tape, uses)
                ? tape
-               : (Tape){tape.steps, places, (uint16_t)count, work->register_of[result]};
+               : (Tape){tape.steps, uses, (uint16_t)count, work->register_of[result]};
 }
 
 /* --- cells ------------------------------------------------------------------------------------ */
@@ -334,9 +331,11 @@ BUILDS int count_choices(Tape tape) {
 /** An octree that is being built. */
 typedef struct OctreeBuilder {
     TapeOctree *octree; /**< It. */
-    OctreeWork *work;   /**< For one cell at a time. */
-    TapePlace *stack;   /**< Tapes of the cells that are being divided: eight per level. */
-    size_t room;        /**< Room in #TapeOctree.places. */
+    OctreeWork *work;   /**< For LANES cells at a time. */
+    TapeUse *stack;     /**< Tapes of the cells that are being divided: eight per level. */
+    scalar factor;      /**< Factor of the tape's result, which makes it a distance. */
+    size_t room;        /**< Room in #TapeOctree.uses. */
+    size_t kept;        /**< Number of cells that are not divided. */
     int levels;         /**< Most levels. */
     bool is_full;       /**< Whether room has run out. */
 } OctreeBuilder;
@@ -348,11 +347,12 @@ typedef struct Octants {
                              rays cross it in a step or two. */
 } Octants;
 
-/** Finds the tapes of the parts of a cell. @param[out] places Room for eight tapes as long as that
+/** Finds the tapes of the parts of a cell. @param[out] uses Room for eight tapes as long as that
  *  of the cell. */
-BUILDS void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePlace *places,
+BUILDS void find_octants(OctreeBuilder *builder, const CellBox *box, Tape tape, TapeUse *uses,
                          Octants *octants) {
-    const scalar length = box_length(box) / 2;
+    OctreeWork *work = builder->work;
+    const scalar length = box_length(box) / 2 / builder->factor;
     for (unsigned first = 0; first < OCTANTS; first += LANES) {
         Vec3 low, high;
         for (unsigned lane = 0; lane < LANES; lane++) {
@@ -369,7 +369,7 @@ BUILDS void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePl
         for (unsigned lane = 0; lane < LANES && first + lane < OCTANTS; lane++) {
             const unsigned octant = first + lane;
             octants->tapes[octant] =
-                tape_shorten(work, tape, (int)lane, places + octant * (size_t)tape.count);
+                tape_shorten(work, tape, (int)lane, uses + octant * (size_t)tape.count);
             octants->is_far[octant] = real_lane(result.low, (int)lane) > length ||
                                       real_lane(result.high, (int)lane) < -length;
         }
@@ -379,20 +379,21 @@ BUILDS void find_octants(OctreeWork *work, const CellBox *box, Tape tape, TapePl
 /** Keeps a tape in a cell that is not divided. */
 BUILDS void cell_keep_tape(OctreeBuilder *builder, TapeCell *cell, Tape tape) {
     TapeOctree *octree = builder->octree;
-    builder->is_full |= octree->place_count + tape.count > builder->room;
+    builder->is_full |= octree->use_count + tape.count > builder->room;
     if (!builder->is_full) {
         for (int i = 0; i < tape.count; i++) {
-            octree->places[octree->place_count + (size_t)i] = *tape_place(&tape, i);
+            octree->uses[octree->use_count + (size_t)i] = *tape_use(&tape, i);
         }
-        *cell = (TapeCell){0, (uint32_t)octree->place_count, tape.count, tape.result};
-        octree->place_count += tape.count;
+        *cell = (TapeCell){0, (uint32_t)octree->use_count, tape.count, tape.result};
+        octree->use_count += tape.count;
+        builder->kept++;
     }
 }
 
 /** Divides a cell as long as that pays, or keeps its tape. @param level Its level; the whole: 0.
- *  @param places Free part of #OctreeBuilder.stack. */
+ *  @param uses Free part of #OctreeBuilder.stack. */
 BUILDS void cell_build(OctreeBuilder *builder, uint32_t index, const CellBox *box, Tape tape,
-                       bool is_far, int level, TapePlace *places) {
+                       bool is_far, int level, TapeUse *uses) {
     TapeOctree *octree = builder->octree;
     if (is_far || level == builder->levels || tape.count < OCTREE_STEPS_MINIMUM ||
         count_choices(tape) < OCTREE_CHOICES_MINIMUM) {
@@ -401,14 +402,14 @@ BUILDS void cell_build(OctreeBuilder *builder, uint32_t index, const CellBox *bo
     }
     const uint32_t children = octree->cell_count;
     Octants octants;
-    find_octants(builder->work, box, tape, places, &octants);
+    find_octants(builder, box, tape, uses, &octants);
     octree->cells[index].children = children;
     octree->cell_count += OCTANTS;
     for (unsigned octant = 0; octant < OCTANTS && !builder->is_full; octant++) {
         CellBox part = *box;
         box_take_octant(&part, octant);
         cell_build(builder, children + octant, &part, octants.tapes[octant], octants.is_far[octant],
-                   level + 1, places + OCTANTS * (size_t)tape.count);
+                   level + 1, uses + OCTANTS * (size_t)tape.count);
     }
 }
 
@@ -433,7 +434,8 @@ size_t tape_octree_size(const SdfNode *tape) {
         choices += step_chooses((SdfTapeOp)tape[i].operands[SDF_STEP_OP]);
     }
     for (int i = 0; i < 6; i++) {
-        has_box = has_box && fabs(tape->operands[SDF_TAPE_BOX + i]) < HUGE_VAL;
+        // The lengths of a larger one would not be in the range of float.
+        has_box = has_box && fabs(tape->operands[SDF_TAPE_BOX + i]) <= SDF_TAPE_CONSTANT_MAXIMUM;
     }
     if (!HAS_TAPE_OCTREES || tape->body_count < OCTREE_TAPE_MINIMUM ||
         choices < OCTREE_CHOICES_MINIMUM || !has_box) {
@@ -441,26 +443,28 @@ size_t tape_octree_size(const SdfNode *tape) {
     }
     return shape_aligned_size(sizeof(TapeOctree)) +
            shape_aligned_size(OCTREE_CELLS * sizeof(TapeCell)) +
-           shape_aligned_size((size_t)tape->body_count * OCTREE_PLACES_PER_STEP *
-                              sizeof(TapePlace));
+           shape_aligned_size((size_t)tape->body_count * OCTREE_USES_PER_STEP * sizeof(TapeUse));
 }
 
-/** Builds an octree with as many levels as there is room for. @return Whether there is room for
- *  one. */
-BUILDS bool octree_build_levels(OctreeBuilder *builder, const SdfInstruction *instruction) {
+/** Builds an octree with all levels, or with one less: for that there is always room. */
+BUILDS void octree_build_levels(OctreeBuilder *builder, const SdfInstruction *instruction) {
     const CellBox box = octree_box(instruction);
     TapeOctree *octree = builder->octree;
     memcpy(octree->low, box.low, sizeof box.low);
     memcpy(octree->high, box.high, sizeof box.high);
-    builder->is_full = true;
-    for (builder->levels = OCTREE_LEVELS; builder->is_full && builder->levels > 0;
-         builder->levels--) {
+    builder->levels = OCTREE_LEVELS + 1;
+    do {
+        builder->levels--;
         octree->cell_count = 1;
-        octree->place_count = 0;
+        octree->use_count = builder->kept = 0;
         builder->is_full = false;
         cell_build(builder, 0, &box, tape_of(instruction), false, 0, builder->stack);
-    }
-    return !builder->is_full;
+    } while (builder->is_full);
+}
+
+/** @return Whether the tapes of cells are shorter on average than three quarters of the whole. */
+static bool octree_is_worthwhile(const OctreeBuilder *builder, size_t count) {
+    return 4 * builder->octree->use_count < 3 * builder->kept * count;
 }
 
 const TapeOctree *tape_octree_build(void *memory, const SdfInstruction *instruction) {
@@ -472,18 +476,20 @@ const TapeOctree *tape_octree_build(void *memory, const SdfInstruction *instruct
     char *cells = (char *)memory + shape_aligned_size(sizeof *octree);
     *octree = (TapeOctree){
         .cells = (TapeCell *)(void *)cells,
-        .places =
-            (TapePlace *)(void *)(cells + shape_aligned_size(OCTREE_CELLS * sizeof(TapeCell)))};
+        .uses = (TapeUse *)(void *)(cells + shape_aligned_size(OCTREE_CELLS * sizeof(TapeCell)))};
     OctreeBuilder builder = {
         .octree = octree,
         .work = aligned_alloc(SHAPE_ALIGNMENT, shape_aligned_size(sizeof *builder.work)),
         .stack = malloc(OCTREE_LEVELS * OCTANTS * count * sizeof *builder.stack),
-        .room = count * OCTREE_PLACES_PER_STEP};
-    const bool is_built =
-        builder.work && builder.stack && octree_build_levels(&builder, instruction);
+        .factor = instruction->operands[SDF_TAPE_FACTOR],
+        .room = count * OCTREE_USES_PER_STEP};
+    const bool has_memory = builder.work && builder.stack;
+    if (has_memory) {
+        octree_build_levels(&builder, instruction);
+    }
     free(builder.work);
     free(builder.stack);
-    return is_built ? octree : NULL;
+    return has_memory && octree_is_worthwhile(&builder, count) ? octree : NULL;
 }
 
 /* --- points ----------------------------------------------------------------------------------- */
@@ -516,6 +522,6 @@ TapeLanes tape_octree_find(const TapeOctree *octree, Tape whole, Vec3 p, unsigne
         box_take_octant(&box, octant);
         cell = &octree->cells[cell->children + octant];
     }
-    const Tape tape = {whole.steps, &octree->places[cell->first_place], cell->count, cell->result};
+    const Tape tape = {whole.steps, &octree->uses[cell->first_use], cell->count, cell->result};
     return (TapeLanes){tape, inside & box_contains(&box, p)};
 }

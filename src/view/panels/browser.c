@@ -12,6 +12,8 @@ enum { PAGE_LINES = 3 };
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event,
                   const char *path) {
     SDL_StartTextInput();
+    // That the first lesson is wanted outlasts the wait for the previous list.
+    browser->begins_at_top = browser->is_reopen_pending && browser->begins_at_top;
     if (scene_list_is_busy(&browser->list)) {
         // Its thread is ending, and sends an event then; until then the previous list is shown.
         browser->is_open = browser->is_reopen_pending = true;
@@ -196,7 +198,7 @@ void browser_select_current(Browser *browser) {
     BrowserOrder order;
     lock_and_order(browser, &order);
     long current = 0;
-    for (size_t i = 0; i < order.count; i++) {
+    for (size_t i = 0; i < order.count && !browser->begins_at_top; i++) {
         if (strcmp(browser->list.scenes[order.indices[i]].path, browser->path) == 0) {
             current = (long)i;
         }
@@ -205,7 +207,7 @@ void browser_select_current(Browser *browser) {
 }
 
 void browser_begin_at_top(Browser *browser) {
-    browser->path[0] = '\0';
+    browser->begins_at_top = true;
 }
 
 /** @return The position some lines below. Lessons and scenes begin with lines of their own. @param

@@ -22,7 +22,8 @@ typedef struct Browser {
     SceneList list;         /**< The scenes. */
     bool is_open;           /**< Whether it is shown. */
     bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
-    bool has_selection;     /**< Whether one was selected: by a key, or the scene on screen. */
+    bool has_selection;     /**< Whether one was selected: by a key, or the first time. */
+    bool begins_at_top;     /**< Whether the first time the first lesson is selected. */
     char path[PATH_MAX];    /**< File of the scene on screen. */
     size_t selected;        /**< Index of the selected scene. */
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */

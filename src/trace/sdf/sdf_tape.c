@@ -144,7 +144,8 @@ void sdf_tape_compile(SdfInstruction *body, const SdfNode *tape) {
     }
 }
 
-real tape_value(Tape tape, Vec3 p) {
+/** @return The result of a tape at points. */
+static real tape_value(Tape tape, Vec3 p) {
     real registers[SDF_TAPE_REGISTERS];
     registers[0] = p.x;
     registers[1] = p.y;
@@ -156,7 +157,8 @@ real tape_value(Tape tape, Vec3 p) {
     return registers[tape.result];
 }
 
-SdfSample tape_sample(Tape tape, Vec3 p) {
+/** @return The result of a tape at points, with its derivatives. */
+static SdfSample tape_sample(Tape tape, Vec3 p) {
     const real one = real_of(1), zero = real_of(0);
     TapeDual registers[SDF_TAPE_REGISTERS];
     registers[0] = dual_of(p.x, (Vec3){one, zero, zero});

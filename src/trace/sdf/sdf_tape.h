@@ -55,10 +55,4 @@ INLINE const TapeStep *tape_step(const Tape *tape, int i) {
     return &tape->steps[tape->uses ? tape->uses[i].step : i];
 }
 
-/** @return The result of a tape at points. */
-real tape_value(Tape tape, Vec3 p);
-
-/** @return The result of a tape at points, with its derivatives. */
-SdfSample tape_sample(Tape tape, Vec3 p);
-
 #endif

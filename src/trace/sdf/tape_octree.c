@@ -15,8 +15,8 @@ enum {
     OCTREE_STEPS_MINIMUM = 32,  /**< Cells with fewer steps are not divided: finding a cell costs as
                                    much as some ten steps. */
     OCTREE_CHOICES_MINIMUM = 2, /**< Nor are those with fewer minima and maxima. */
-    OCTREE_LEVELS = 4, /**< Most levels below the whole: one more takes longer to build than
-                          it saves in a picture (measured with 80 balls). */
+    OCTREE_LEVELS = 4, /**< Most levels below the whole: one more has no room, for 80 balls not even
+                          in twice that below (measured). */
     OCTREE_CELLS = 1 + 8 + 64 + 512 + 4096, /**< Most cells: those of all levels. */
     OCTREE_USES_PER_STEP = 512 /**< Room for steps of cells, per step of the tape: as many as the
                                   cells of the last level but one. */

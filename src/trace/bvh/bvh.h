@@ -13,7 +13,7 @@
 #ifndef DIOPTRE_TRACE_BVH_BVH_H
 #define DIOPTRE_TRACE_BVH_BVH_H
 
-#include "trace/tracer/packet.h"
+#include "trace/bvh/slab.h"
 
 /** Runs tasks 0 to count - 1, in parallel if the renderer has supplied threads. */
 static inline void parallel_for_run(const ParallelFor *parallel_for, size_t count,
@@ -45,10 +45,21 @@ enum { BVH_MAX_DEPTH = 64 };
 /** Size of a traversal stack: all children but one per level, and one. */
 #define BVH_STACK_SIZE (BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
 
+#ifdef LANES_PERMUTE
+/** Whether nodes know the order in which rays meet their children. One vector holds them all. */
+#define BVH_HAS_ORDERS 1
+#else
+#define BVH_HAS_ORDERS 0
+#endif
+
 /** A node: the boxes of its children as a structure of arrays, and the children. */
 typedef struct BvhNode {
     Aabb bounds[BVH_NODE_VECTORS]; /**< The boxes. */
     uint32_t children[BVH_WIDTH];  /**< Indices of nodes, or #BVH_LEAF_BIT and blocks. */
+#if BVH_HAS_ORDERS
+    /** Per octant of a direction, the children from far to near. */
+    uint8_t orders[DIRECTION_OCTANTS][BVH_WIDTH];
+#endif
 } BvhNode;
 
 /** A tree over items. */

@@ -87,12 +87,50 @@ static void bvh_node_set_box(BvhNode *node, int i, const BuildAabb *box) {
     }
 }
 
+#if BVH_HAS_ORDERS
+
+/** @return How far a box is along the diagonal of an octant: twice the sum of the coordinates of
+ *          its centre, with their signs. */
+static build_scalar build_aabb_advance(const BuildAabb *box, unsigned octant) {
+    build_scalar sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        build_scalar twice = box->low[axis] + box->high[axis];
+        sum += octant >> axis & 1 ? -twice : twice;
+    }
+    return sum;
+}
+
+/** Sorts the children of a node from far to near, as rays of an octant meet them. */
+static void bvh_node_sort_octant(BvhNode *node, const BvhBuilder *builder,
+                                 const CollapsedChildren *children, unsigned octant) {
+    build_scalar advances[BVH_WIDTH];
+    uint8_t *order = node->orders[octant];
+    for (int i = 0; i < children->count; i++) {
+        advances[i] = build_aabb_advance(&builder->nodes[children->nodes[i]].box, octant);
+        int place = i;
+        for (; place > 0 && advances[order[place - 1]] < advances[i]; place--) {
+            order[place] = order[place - 1];
+        }
+        order[place] = (uint8_t)i;
+    }
+    for (int i = children->count; i < BVH_WIDTH; i++) {
+        order[i] = (uint8_t)i;
+    }
+}
+
+#endif
+
 /** Creates the wide nodes of a subtree, each before its children. @return Index of the first. */
 static uint32_t bvh_make_nodes(BvhBuilder *builder, uint32_t build_index) {
     uint32_t node_index = (uint32_t)builder->bvh->node_count++;
     BvhNode *node = &builder->bvh->nodes[node_index];
     CollapsedChildren children = collapsed_children_of(builder, build_index);
     BuildAabb nothing = build_aabb_empty();
+#if BVH_HAS_ORDERS
+    for (unsigned octant = 0; octant < DIRECTION_OCTANTS; octant++) {
+        bvh_node_sort_octant(node, builder, &children, octant);
+    }
+#endif
     for (int i = 0; i < BVH_WIDTH; i++) {
         if (i >= children.count) {
             node->children[i] = BVH_LEAF_BIT;

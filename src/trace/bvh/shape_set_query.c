@@ -211,13 +211,8 @@ static void set_bvh_visit(const ShapeSet *set, const Packet *packet,
 static const PacketIntervals no_intervals;
 
 /** @return The planes of boxes in the order in which a packet of one ray meets them. */
-INLINE SlabOrder single_ray_slab_order(const Packet *packet) {
-    const Vec3 *inverse = &packet->rays[0].inverse_direction;
-    SlabOrder order;
-    slab_order_set(&order, 0, real_lane(inverse->x, 0) < 0);
-    slab_order_set(&order, 1, real_lane(inverse->y, 0) < 0);
-    slab_order_set(&order, 2, real_lane(inverse->z, 0) < 0);
-    return order;
+INLINE const SlabOrder *single_ray_slab_order(const Packet *packet) {
+    return &SLAB_ORDERS[octant_of(&packet->rays[0].inverse_direction, 0)];
 }
 
 /** @return The bits of the shapes of a pack that a packet of one ray may meet. @param limit The
@@ -233,12 +228,12 @@ INLINE unsigned single_ray_candidates(const ShapeSet *set, const Packet *packet,
 
 /** #shape_set_closest_hits for a packet of one ray. */
 INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hit *hits) {
-    const SlabOrder order = single_ray_slab_order(packet);
+    const SlabOrder *order = single_ray_slab_order(packet);
     PackReal near[PACK_VECTORS];
     hits[0] = hit_none(packet->limit[0]);
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         unsigned remaining =
-            single_ray_candidates(set, packet, &order, hits[0].distance, pack, near);
+            single_ray_candidates(set, packet, order, hits[0].distance, pack, near);
         for (int i = 0; remaining >> i; i++) {
             // A hit rules out all boxes behind it.
             if (remaining >> i & 1 && pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
@@ -253,12 +248,12 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
 
 /** #shape_set_occluded for a packet of one ray. */
 INLINE void single_ray_occluded(const ShapeSet *set, const Packet *packet, mask *occluded) {
-    const SlabOrder order = single_ray_slab_order(packet);
+    const SlabOrder *order = single_ray_slab_order(packet);
     PackReal near[PACK_VECTORS];
     occluded[0] = mask_of(false);
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count) && !any(occluded[0]); pack++) {
         unsigned remaining =
-            single_ray_candidates(set, packet, &order, packet->limit[0], pack, near);
+            single_ray_candidates(set, packet, order, packet->limit[0], pack, near);
         for (int i = 0; remaining >> i && !any(occluded[0]); i++) {
             if (remaining >> i & 1) {
                 shape_occluded(linear_shape(set, pack, i), packet, occluded);

@@ -60,20 +60,28 @@ typedef struct SlabOrder {
     size_t leave[3]; /**< The last of each pair. */
 } SlabOrder;
 
-/** Sets the order along an axis. @param is_down Whether the direction is negative along it. */
-INLINE void slab_order_set(SlabOrder *order, size_t axis, bool is_down) {
-    order->enter[axis] = is_down ? axis + 3 : axis;
-    order->leave[axis] = is_down ? axis : axis + 3;
+/** Number of octants: signs of a direction along x, y and z. */
+enum { DIRECTION_OCTANTS = 8 };
+
+/** The orders per octant. */
+static const SlabOrder SLAB_ORDERS[DIRECTION_OCTANTS] = {
+    {{0, 1, 2}, {3, 4, 5}}, {{3, 1, 2}, {0, 4, 5}}, {{0, 4, 2}, {3, 1, 5}}, {{3, 4, 2}, {0, 1, 5}},
+    {{0, 1, 5}, {3, 4, 2}}, {{3, 1, 5}, {0, 4, 2}}, {{0, 4, 5}, {3, 1, 2}}, {{3, 4, 5}, {0, 1, 2}}};
+
+/** @return The octant of a direction: bit i is set where it is negative along axis i. @param
+ *  inverse 1 / direction. @param lane Lane of the ray. */
+INLINE unsigned octant_of(const Vec3 *inverse, int lane) {
+    return (real_at(&inverse->x, lane) < 0 ? 1u : 0u) | (real_at(&inverse->y, lane) < 0 ? 2u : 0u) |
+           (real_at(&inverse->z, lane) < 0 ? 4u : 0u);
 }
 
 /**
  * #slab_intersects for rays that all meet the planes in the same order.
  * @param limit      Largest distances.
  * @param[out] near  Lower bounds on the distances in the boxes.
- * @return Bit i for lane i.
  */
-INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *boxes,
-                                        const SlabOrder *order, real limit, real *near) {
+INLINE mask slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *boxes,
+                                    const SlabOrder *order, real limit, real *near) {
     const real *planes = boxes->planes;
     const size_t *enter = order->enter, *leave = order->leave;
     real t_near = real_of(0), t_far = limit;
@@ -81,7 +89,7 @@ INLINE unsigned slab_intersects_ordered(Vec3 origin, Vec3 inverse, const Aabb *b
     slab_clip_ordered(&t_near, &t_far, planes[enter[1]], planes[leave[1]], origin.y, inverse.y);
     slab_clip_ordered(&t_near, &t_far, planes[enter[2]], planes[leave[2]], origin.z, inverse.z);
     *near = t_near * (1 - SLAB_SLACK);
-    return real_less_equal_bits(*near, t_far * (1 + SLAB_SLACK));
+    return *near <= t_far * (1 + SLAB_SLACK);
 }
 
 /** @return A box in all lanes. */

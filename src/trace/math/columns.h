@@ -74,6 +74,18 @@ INLINE void integer_compress(integer_scalar *to, integer x, unsigned bits) {
 #endif
 }
 
+#ifdef LANES_PERMUTE
+/** @return Lane order[i] of x in lane i. */
+INLINE real real_permute(real x, const uint8_t order[LANES]) {
+    return LANES_PERMUTE(x, order);
+}
+
+/** See real_permute(). */
+INLINE integer integer_permute(integer x, const uint8_t order[LANES]) {
+    return (integer)LANES_PERMUTE((real)x, order);
+}
+#endif
+
 /** @return LANES wide numbers of a column. */
 INLINE wide wide_load(const wide_scalar *from) {
     wide x;

@@ -29,6 +29,11 @@
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits)                                                                \
     _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)(bits), (__m512)(x)))
+/** Lane order[i] of x in lane i. @param order LANES bytes at an address. */
+#define LANES_PERMUTE(x, order)                                                                    \
+    (real) _mm512_permutexvar_ps(                                                                  \
+        _mm512_cvtepu8_epi32(_mm_loadu_si128((const __m128i *)(const void *)(order))),             \
+        (__m512)(x))
 /** LANES_COMPRESS for eight of the next wider numbers, at x. */
 #define LANES_COMPRESS_HALF(to, x, bits)                                                           \
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd((__mmask8)(bits), _mm512_loadu_pd(x)))
@@ -61,6 +66,10 @@ static inline __attribute__((always_inline)) void lanes_compress(float *to, __m2
 }
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits) lanes_compress(to, (__m256)(x), bits)
+/** Lane order[i] of x in lane i. @param order LANES bytes at an address. */
+#define LANES_PERMUTE(x, order)                                                                    \
+    (real) _mm256_permutevar8x32_ps((__m256)(x),                                                   \
+                                    _mm256_cvtepu8_epi32(_mm_loadu_si64((const void *)(order))))
 /** #lanes_compress for four of the next wider numbers. @param bits Of these four. */
 static inline __attribute__((always_inline)) void lanes_compress_wide(double *to, __m256d x,
                                                                       unsigned bits) {

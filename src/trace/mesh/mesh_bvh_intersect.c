@@ -8,20 +8,28 @@
 #include "trace/mesh/mesh_bvh_hit.h"
 #include "trace/mesh/triangle_pack.h"
 
-/** Derived data of a block, computed at the first hit in it. */
-typedef struct TriangleBlockPlanes {
-    size_t block_index; /**< Index of the block; #TRIANGLE_BLOCK_NONE: none. */
-    Aabb boxes;         /**< Bounding boxes of the triangles. */
-    Vec3w normals;      /**< Normals of the triangles, of any length. */
-} TriangleBlockPlanes;
-
 /** Larger than the index of any block. */
 #define TRIANGLE_BLOCK_NONE SIZE_MAX
 
+/** Bounding boxes of the triangles of a block. */
+typedef struct TriangleBlockBoxes {
+    size_t block_index; /**< Index of the block; #TRIANGLE_BLOCK_NONE: none. */
+    Aabb boxes;         /**< The boxes. */
+} TriangleBlockBoxes;
+
+/** Normals of the triangles of a block. */
+typedef struct TriangleBlockNormals {
+    size_t block_index; /**< Index of the block; #TRIANGLE_BLOCK_NONE: none. */
+    Vec3w normals;      /**< The normals, of any length. */
+} TriangleBlockNormals;
+
 /** Nearest hits of a packet; #BvhLeafRays.limits holds their distances. */
 typedef struct MeshBvhHits {
-    integer slots[PACKET_VECTORS]; /**< Slots of the triangles; -1: none. */
-    TriangleBlockPlanes planes;    /**< Data of the last block with a hit. */
+    integer slots[PACKET_VECTORS];             /**< Slots of the triangles; -1: none. */
+    TriangleBlockBoxes boxes;                  /**< Of the last block that a vector reached. */
+    TriangleBlockNormals normals;              /**< Of the last block with a hit. */
+    unsigned interval_bits;                    /**< Bit v: #intervals has those of vector v. */
+    PacketIntervals intervals[PACKET_VECTORS]; /**< The intervals of the vectors. */
 } MeshBvhHits;
 
 /** @return All triangles of a block. */
@@ -59,13 +67,32 @@ INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real dist
     return nearer;
 }
 
-/** Computes the derived data of a block. */
-static void triangle_block_compute_planes(const MeshBvh *mesh_bvh, size_t b,
-                                          TriangleBlockPlanes *planes) {
-    TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
-    planes->block_index = b;
-    planes->boxes = triangle_pack_bounds(&corners);
-    planes->normals = triangle_pack_normal(&corners);
+/** @return The bounding boxes of the triangles of a block. */
+static const Aabb *triangle_block_boxes(const MeshBvh *mesh_bvh, size_t b, MeshBvhHits *hits) {
+    if (hits->boxes.block_index != b) {
+        TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
+        hits->boxes = (TriangleBlockBoxes){b, triangle_pack_bounds(&corners)};
+    }
+    return &hits->boxes.boxes;
+}
+
+/** @return The normals of the triangles of a block. */
+static const Vec3w *triangle_block_normals(const MeshBvh *mesh_bvh, size_t b, MeshBvhHits *hits) {
+    if (hits->normals.block_index != b) {
+        TrianglePack corners = triangle_block_load(&mesh_bvh->blocks[b]);
+        hits->normals = (TriangleBlockNormals){b, triangle_pack_normal(&corners)};
+    }
+    return &hits->normals.normals;
+}
+
+/** @return The intervals of a vector of rays. */
+static const PacketIntervals *ray_vector_intervals(const BvhLeafRays *rays, MeshBvhHits *hits) {
+    PacketIntervals *intervals = &hits->intervals[rays->vector];
+    if (!(hits->interval_bits >> rays->vector & 1)) {
+        *intervals = packet_vector_intervals(rays->packet, rays->vector);
+        hits->interval_bits |= 1u << rays->vector;
+    }
+    return intervals;
 }
 
 /** @return The distances at which rays cross the plane of a triangle. @param normals Normals of the
@@ -81,16 +108,13 @@ INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3
  *  edges. */
 static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane,
                                      const BvhLeafRays *rays, mask inside, MeshBvhHits *hits) {
-    if (hits->planes.block_index != b) {
-        triangle_block_compute_planes(mesh_bvh, b, &hits->planes);
-    }
     const Ray *ray = &rays->packet->rays[rays->vector];
     real near, *limit = &rays->limits[rays->vector];
-    Aabb box = aabb_splat_lane(&hits->planes.boxes, lane);
+    Aabb box = aabb_splat_lane(triangle_block_boxes(mesh_bvh, b, hits), lane);
     inside &= slab_intersects(ray, &box, *limit, &near);
     if (any(inside)) {
-        real distance =
-            triangle_block_plane_distance(&mesh_bvh->blocks[b], &hits->planes.normals, lane, ray);
+        real distance = triangle_block_plane_distance(
+            &mesh_bvh->blocks[b], triangle_block_normals(mesh_bvh, b, hits), lane, ray);
         inside &= distance > 0;
         distance = real_max(distance, near);
         size_t slot = b * LANES + (size_t)lane;
@@ -107,14 +131,14 @@ typedef struct TriangleBlockInside {
     uint16_t ray_bits[LANES]; /**< Per triangle, bit i: ray i passes inside. */
 } TriangleBlockInside;
 
-/** @return The rays that pass inside the triangles of a block. @param axis Dominant axis of the
- * rays.
- */
-INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, const Ray *ray,
-                                                 int axis, mask active) {
+/** @return The rays that pass inside the triangles of a block. @param triangles Bit i: triangle i
+ *  counts. @param axis Dominant axis of the rays. */
+INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, unsigned triangles,
+                                                 const Ray *ray, int axis, mask active) {
     TriangleBlockInside inside = {0};
     RayShear shear = ray_shear_of(ray, axis);
-    for (int lane = 0; lane < LANES; lane++) {
+    for (; triangles; triangles &= triangles - 1) {
+        int lane = __builtin_ctz(triangles);
         // Repeated triangles only fill the block.
         if (lane > 0 && block->triangle_ids[lane] == block->triangle_ids[lane - 1]) {
             break;
@@ -132,16 +156,29 @@ INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, con
 }
 
 /** Intersects the rays with one dominant axis with the triangles of a block, one by one. */
-INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b,
+INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b, unsigned triangles,
                                            const BvhLeafRays *rays, int axis, mask active,
                                            MeshBvhHits *hits) {
     const Ray *ray = &rays->packet->rays[rays->vector];
-    TriangleBlockInside inside = triangle_block_inside(&mesh_bvh->blocks[b], ray, axis, active);
+    TriangleBlockInside inside =
+        triangle_block_inside(&mesh_bvh->blocks[b], triangles, ray, axis, active);
     for (unsigned left = inside.triangle_bits; left; left &= left - 1) {
         int lane = __builtin_ctz(left);
         mesh_bvh_accept_triangle(mesh_bvh, b, lane, rays, mask_of_bits(inside.ray_bits[lane]),
                                  hits);
     }
+}
+
+/** @return The triangles of a block that any ray of a vector may meet: bit i for triangle i. Up to
+ *          eight triangles are tested one by one in no more time (measured). */
+INLINE unsigned triangle_block_candidates(const MeshBvh *mesh_bvh, size_t b,
+                                          const BvhLeafRays *rays, MeshBvhHits *hits) {
+    if (LANES <= 8) {
+        return ALL_LANES;
+    }
+    real near;
+    return mask_bits(packet_intervals_may_hit(ray_vector_intervals(rays, hits),
+                                              triangle_block_boxes(mesh_bvh, b, hits), &near));
 }
 
 /** Intersects a vector of rays with the triangles of a leaf, one by one. */
@@ -151,47 +188,76 @@ static void mesh_leaf_intersect_packet(const MeshBvh *mesh_bvh, BvhLeaf leaf,
         ray_dominant_axes(&rays->packet->rays[rays->vector], mask_of_bits(rays->lane_bits));
     bool any_x = any(axes.x), any_y = any(axes.y), any_z = any(axes.z);
     for (size_t b = leaf.first_block; b < leaf.first_block + leaf.block_count; b++) {
+        unsigned triangles = triangle_block_candidates(mesh_bvh, b, rays, hits);
         if (any_x) {
-            triangle_block_intersect_along(mesh_bvh, b, rays, 0, axes.x, hits);
+            triangle_block_intersect_along(mesh_bvh, b, triangles, rays, 0, axes.x, hits);
         }
         if (any_y) {
-            triangle_block_intersect_along(mesh_bvh, b, rays, 1, axes.y, hits);
+            triangle_block_intersect_along(mesh_bvh, b, triangles, rays, 1, axes.y, hits);
         }
         if (any_z) {
-            triangle_block_intersect_along(mesh_bvh, b, rays, 2, axes.z, hits);
+            triangle_block_intersect_along(mesh_bvh, b, triangles, rays, 2, axes.z, hits);
         }
     }
 }
 
 /* --- one ray with a block of triangles ------------------------------------------------------- */
 
-/** @return One ray in all lanes. */
-INLINE Ray ray_splat_lane(const Ray *ray, int lane) {
-    const Vec3 *o = &ray->origin, *d = &ray->direction, *i = &ray->inverse_direction;
-    return (Ray){{real_of(real_at(&o->x, lane)), real_of(real_at(&o->y, lane)),
-                  real_of(real_at(&o->z, lane))},
-                 {real_of(real_at(&d->x, lane)), real_of(real_at(&d->y, lane)),
-                  real_of(real_at(&d->z, lane))},
-                 {real_of(real_at(&i->x, lane)), real_of(real_at(&i->y, lane)),
-                  real_of(real_at(&i->z, lane))}};
+/** One ray, in all lanes. */
+typedef struct SplatRay {
+    Ray ray;        /**< The ray. */
+    RayShear shear; /**< Its shear. */
+    int axes[3];    /**< The axes of the shear, the dominant one last. */
+} SplatRay;
+
+/** @return The dominant axis of a ray, by the same rule as #ray_dominant_axes. */
+INLINE int ray_dominant_axis(const Vec3 *direction, int lane) {
+    scalar x = scalar_abs(real_at(&direction->x, lane)),
+           y = scalar_abs(real_at(&direction->y, lane)),
+           z = scalar_abs(real_at(&direction->z, lane));
+    return z >= x && z >= y ? 2 : x >= y ? 0 : 1;
+}
+
+/** @return A coordinate. @param axis 0: x, 1: y, 2: z; no branch depends on it. */
+INLINE const real *vec3_axis(const Vec3 *v, int axis) {
+    return &v->x + axis;
+}
+
+/** @return The ray of a lane. */
+INLINE SplatRay ray_splat_lane(const Ray *rays, int lane) {
+    const Vec3 *d = &rays->direction, *inverse = &rays->inverse_direction;
+    const int z = ray_dominant_axis(d, lane), x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+    SplatRay splat = {{vec3_splat_lane(&rays->origin, lane), vec3_splat_lane(d, lane),
+                       vec3_splat_lane(inverse, lane)},
+                      .axes = {x, y, z}};
+    scalar per_depth = real_at(vec3_axis(inverse, z), lane);
+    splat.shear = (RayShear){{real_of(real_at(vec3_axis(&rays->origin, x), lane)),
+                              real_of(real_at(vec3_axis(&rays->origin, y), lane)),
+                              real_of(real_at(vec3_axis(&rays->origin, z), lane))},
+                             real_of(real_at(vec3_axis(d, x), lane) * per_depth),
+                             real_of(real_at(vec3_axis(d, y), lane) * per_depth)};
+    return splat;
 }
 
 /**
  * @return The triangles of a block whose edges and bounding box a ray passes.
- * @param ray        The ray, in all lanes.
  * @param limit      Largest distance.
  * @param[out] near  Lower bounds on the distances of the triangles.
  */
-INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, const Ray *ray,
+INLINE unsigned triangle_block_intersect_single(const TriangleBlock *block, const SplatRay *splat,
                                                 scalar limit, real *near) {
-    TrianglePack corners = triangle_block_load(block);
-    DominantAxes axes = ray_dominant_axes(ray, mask_of(true));
-    mask inside = mask_lane(axes.x, 0)   ? triangle_pack_contains_ray(&corners, ray, 0)
-                  : mask_lane(axes.y, 0) ? triangle_pack_contains_ray(&corners, ray, 1)
-                                         : triangle_pack_contains_ray(&corners, ray, 2);
+    ShearedVertex sheared[3];
+    for (int i = 0; i < 3; i++) {
+        const Vec3 *corner = &block->corners[i];
+        Vec3 permuted = {*vec3_axis(corner, splat->axes[0]), *vec3_axis(corner, splat->axes[1]),
+                         *vec3_axis(corner, splat->axes[2])};
+        sheared[i] = ray_shear_vertex(permuted, &splat->shear);
+    }
+    mask inside = edge_functions_contain_ray(sheared, 3);
     if (any(inside)) {
+        TrianglePack corners = triangle_block_load(block);
         Aabb boxes = triangle_pack_bounds(&corners);
-        inside &= slab_intersects(ray, &boxes, real_of(limit), near);
+        inside &= slab_intersects(&splat->ray, &boxes, real_of(limit), near);
     }
     return mask_bits(inside);
 }
@@ -258,7 +324,7 @@ static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
     const Ray *rays_vector = &rays->packet->rays[rays->vector];
     real *limits = &rays->limits[rays->vector];
     integer *slots = &hits->slots[rays->vector];
-    Ray ray = ray_splat_lane(rays_vector, lane);
+    SplatRay ray = ray_splat_lane(rays_vector, lane);
     ClosestTriangle best = {real_at(limits, lane), integer_at(slots, lane)};
     for (size_t b = leaf.first_block; b < leaf.first_block + leaf.block_count; b++) {
         real near = real_of(0);
@@ -276,7 +342,7 @@ static void mesh_leaf_intersect_single(const MeshBvh *mesh_bvh, BvhLeaf leaf,
  *  triangle after the other: whichever is faster. */
 INLINE bool mesh_leaf_prefers_single(int lanes) {
     /** Number of rays at which both take the same time (measured): blocks are not always full. */
-    const int break_even = 3 * LANES / 8;
+    const int break_even = LANES / 4;
     return lanes <= break_even || LANES == 1;
 }
 
@@ -310,7 +376,8 @@ static void mesh_leaf_occluded(const void *items, BvhLeaf leaf, const BvhLeafRay
 
 /** Initialises the hits of a packet: none. */
 static void mesh_bvh_hits_init(MeshBvhHits *hits) {
-    hits->planes.block_index = TRIANGLE_BLOCK_NONE;
+    hits->boxes.block_index = hits->normals.block_index = TRIANGLE_BLOCK_NONE;
+    hits->interval_bits = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits->slots[v] = integer_of(-1);
     }

@@ -31,14 +31,6 @@ INLINE void triangle_pack_shear(const TrianglePack *triangle, const Ray *ray, in
     }
 }
 
-/** @return The lanes whose ray passes inside its triangle or through an edge. @param axis Dominant
- *  axis of the rays. */
-INLINE mask triangle_pack_contains_ray(const TrianglePack *triangle, const Ray *ray, int axis) {
-    ShearedVertex sheared[3];
-    triangle_pack_shear(triangle, ray, axis, sheared);
-    return edge_functions_contain_ray(sheared, 3);
-}
-
 /** @return Normals of triangles, of any length. */
 INLINE Vec3w triangle_pack_normal(const TrianglePack *triangle) {
     Vec3w a = vec3_widen(triangle->corners[0]);

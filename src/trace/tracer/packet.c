@@ -30,11 +30,17 @@ INLINE void lane_intervals_extend(LaneIntervals *s, real origin, real inverse) {
     s->inverse_high = real_max(inverse, s->inverse_high);
 }
 
+/** The vectors from #first to the one before #end. */
+typedef struct VectorRange {
+    int first; /**< The first one. */
+    int end;   /**< The one after the last. */
+} VectorRange;
+
 /** @return The interval along one axis. Inactive lanes count as a copy of an active lane. */
-INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
+INLINE AxisInterval packet_axis_interval(const Packet *packet, VectorRange range, int axis) {
     const real most = real_of(INFINITE), least = real_of(-INFINITE);
     LaneIntervals s = {most, least, most, least};
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = range.first; v < range.end; v++) {
         mask active = packet->active[v];
         unsigned bits = mask_bits(active);
         real origin = vec3_component(&packet->rays[v].origin, axis);
@@ -52,18 +58,25 @@ INLINE AxisInterval packet_axis_interval(const Packet *packet, int axis) {
                           real_reduce_min(s.inverse_low), real_reduce_max(s.inverse_high)};
 }
 
-PacketIntervals packet_intervals(const Packet *packet) {
-    if (LANES == 1) {
-        return (PacketIntervals){0};
-    }
+/** @return The intervals of some vectors with at least one active ray. */
+INLINE PacketIntervals packet_range_intervals(const Packet *packet, VectorRange range) {
     real limit = real_of(0);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = range.first; v < range.end; v++) {
         limit = real_max(real_select(packet->active[v], packet->limit[v], real_of(0)), limit);
     }
-    return (PacketIntervals){.axis = {packet_axis_interval(packet, 0),
-                                      packet_axis_interval(packet, 1),
-                                      packet_axis_interval(packet, 2)},
+    return (PacketIntervals){.axis = {packet_axis_interval(packet, range, 0),
+                                      packet_axis_interval(packet, range, 1),
+                                      packet_axis_interval(packet, range, 2)},
                              .limit = real_reduce_max(limit)};
+}
+
+PacketIntervals packet_intervals(const Packet *packet) {
+    return LANES == 1 ? (PacketIntervals){0}
+                      : packet_range_intervals(packet, (VectorRange){0, PACKET_VECTORS});
+}
+
+PacketIntervals packet_vector_intervals(const Packet *packet, int v) {
+    return packet_range_intervals(packet, (VectorRange){v, v + 1});
 }
 
 /** Relative slack of a region: more than both sides of the slab test together, so that it keeps

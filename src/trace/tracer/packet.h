@@ -143,6 +143,9 @@ unsigned packet_active_count(const Packet *packet);
  * box for its ray: their intervals are empty. */
 PacketIntervals packet_intervals(const Packet *packet);
 
+/** @return The intervals of one vector of a packet, with at least one active ray. */
+PacketIntervals packet_vector_intervals(const Packet *packet, int v);
+
 /** Bound on the roundings of a direction of a beam and its inverse, in lengths of the beam's axis
  *  and edges: each component has a dozen, relative to the camera's vectors, which are at right
  *  angles and so no longer than the axis. */

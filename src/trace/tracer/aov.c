@@ -230,7 +230,7 @@ void aov_trace(const Tracer *tracer, const PixelGrid *grid, unsigned flags, AovS
         AovSample packet_samples[PACKET_RAYS] = {0};
         const Recorders recorders = {.aovs = packet_samples};
         CameraRays rays;
-        camera_rays_init(tracer, grid, jitter, index, &recorders, &rays);
+        camera_rays_init(tracer, grid, jitter, index, NULL, &recorders, &rays);
         if (flags & AOV_RADIANCE) {
             Rgb colors[PACKET_VECTORS];
             trace_camera_rays(tracer, &rays.state, colors, counts);

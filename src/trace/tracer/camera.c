@@ -84,6 +84,30 @@ static void camera_generate_grid_rays(const Camera *camera, const PixelGrid *gri
     }
 }
 
+/** Generates the rays of a run: as many as its row still has. @param index Index of the first one's
+ *  packet. */
+static void camera_run_generate(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                                int index, CameraRun *run) {
+    GridPosition position = grid_packet_position(grid, index);
+    const int left = grid->columns - position.column;
+    run->first = index;
+    run->count = left < CAMERA_RUN_RAYS ? left : CAMERA_RUN_RAYS;
+    for (int i = 0; i < run->count; i++) {
+        run->rays[i] = camera_grid_ray(camera, grid, jitter, position);
+        position.column++;
+    }
+}
+
+/** Takes the ray of a packet from a run, in engines of one lane. */
+static void camera_take_ray(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
+                            int index, CameraRun *run, Packet *packet) {
+    if (index - run->first >= run->count) {
+        camera_run_generate(camera, grid, jitter, index, run);
+    }
+    packet->rays[0] = run->rays[index - run->first];
+    packet->active[0] = mask_of(true);
+}
+
 /** Generates the rays of a packet of selected pixels. */
 static void camera_generate_selected_rays(const Camera *camera, const PixelGrid *grid,
                                           PixelJitter jitter, int index, Packet *packet) {
@@ -118,7 +142,7 @@ Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter
 }
 
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
-                          int index, Packet *packet) {
+                          int index, CameraRun *run, Packet *packet) {
     // A beam of one ray would serve nothing.
     packet->has_beam = LANES > 1 && !grid->selected;
     if (packet->has_beam) {
@@ -131,6 +155,8 @@ void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitt
     }
     if (grid->selected) {
         camera_generate_selected_rays(camera, grid, jitter, index, packet);
+    } else if (LANES == 1 && run) {
+        camera_take_ray(camera, grid, jitter, index, run, packet);
     } else {
         camera_generate_grid_rays(camera, grid, jitter, index, packet);
     }

@@ -137,14 +137,28 @@ INLINE Ray camera_grid_ray(const Camera *camera, const PixelGrid *grid, PixelJit
     return camera_ray(camera, x * scale, real_of((scalar)-twice_y * scale));
 }
 
+/** Number of rays in a #CameraRun: longer runs gain nothing (measured). Engines of several lanes
+ *  need none. */
+enum { CAMERA_RUN_RAYS = LANES == 1 ? 16 : 1 };
+
+/** Camera rays of neighbours in a row that an engine of one lane generates together: a ray waits
+ *  for a root and four quotients, and those of the others are computed meanwhile. */
+typedef struct CameraRun {
+    int first;                 /**< Index of the first ray's packet. */
+    int count;                 /**< Number of rays; 0: none yet. */
+    Ray rays[CAMERA_RUN_RAYS]; /**< The rays. */
+} CameraRun;
+
 /**
  * Generates the camera rays of a packet.
  * @param jitter  Where in its pixel each ray goes.
  * @param index  Index of the packet, below grid_packet_count().
+ * @param[in,out] run  Rays of this grid and jitter that were generated already, and those that are
+ *         generated now; at first empty. NULL: rays are generated packet by packet.
  * @param[out] packet  The rays, without #Packet.context; inactive beyond the grid. They have a
  *         beam, unless pixels are selected.
  */
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
-                          int index, Packet *packet);
+                          int index, CameraRun *run, Packet *packet);
 
 #endif

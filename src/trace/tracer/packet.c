@@ -6,14 +6,6 @@
 
 #include "trace/bvh/slab.h"
 
-unsigned packet_active_count(const Packet *packet) {
-    unsigned count = 0;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        count += mask_count(packet->active[v]);
-    }
-    return count;
-}
-
 /** The intervals that contain the rays of each lane, along one axis. */
 typedef struct LaneIntervals {
     real origin_low;   /**< Lowest origins. */

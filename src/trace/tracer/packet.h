@@ -137,7 +137,13 @@ INLINE void losses_clear(Losses *losses) {
 }
 
 /** @return The number of active rays. */
-unsigned packet_active_count(const Packet *packet);
+INLINE unsigned packet_active_count(const Packet *packet) {
+    unsigned count = 0;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        count += mask_count(packet->active[v]);
+    }
+    return count;
+}
 
 /** @return The intervals of a packet with at least one active ray. Engines of one lane test each
  * box for its ray: their intervals are empty. */

@@ -32,6 +32,12 @@ INLINE void real_store_lanes(double *out, real x, int count) {
  */
 static void colors_write(const Rgb *colors, const PixelGrid *grid, int index, double *rgb) {
     size_t plane = grid_ray_count(grid), columns = (size_t)grid->columns;
+    if (LANES == 1) { // Packets are pixels, in the same order.
+        real_store_lanes(rgb + index, colors[0].red, 1);
+        real_store_lanes(rgb + plane + index, colors[0].green, 1);
+        real_store_lanes(rgb + 2 * plane + index, colors[0].blue, 1);
+        return;
+    }
     GridPosition first = grid_packet_position(grid, index);
     if (!grid->selected && grid_has_whole_packet(grid, first)) {
         double *target = rgb + (size_t)first.row * columns + (size_t)first.column;
@@ -80,11 +86,11 @@ static void pixel_ids_set(const PixelGrid *grid, int index, uint32_t *pixel_ids)
 }
 
 void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter, int index,
-                      const Recorders *recorders, CameraRays *rays) {
+                      CameraRun *run, const Recorders *recorders, CameraRays *rays) {
     const Dielectrics *dielectrics = &tracer->dielectrics;
     const Rgb one = {real_of(1), real_of(1), real_of(1)};
     RayState *state = &rays->state;
-    camera_generate_rays(&tracer->camera, grid, jitter, index, &state->packet);
+    camera_generate_rays(&tracer->camera, grid, jitter, index, run, &state->packet);
     state->packet.context =
         (SampleContext){.recorders = recorders, .sample = (uint32_t)grid->sample};
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -126,7 +132,7 @@ static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer
         int left = packet_count - first,
             count = left < WAVEFRONT_PACKETS ? left : WAVEFRONT_PACKETS;
         for (int i = 0; i < count; i++) {
-            camera_rays_init(tracer, grid, jitter, first + i, NULL, &rays[i]);
+            camera_rays_init(tracer, grid, jitter, first + i, NULL, NULL, &rays[i]);
             packets[i].rays = &rays[i].state;
             packets[i].colors = colors[i];
         }
@@ -147,6 +153,7 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
     bool is_recorded = grid->path_hashes || grid->ray_tree;
     bool may_be_plain = plain_packets_are_possible(tracer, grid);
     int packet_count = grid_packet_count(grid);
+    CameraRun run = {0};
     for (int index = 0; index < packet_count; index++) {
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
@@ -154,7 +161,7 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
             colors_write(colors, grid, index, rgb);
             continue;
         }
-        camera_rays_init(tracer, grid, jitter, index, is_recorded ? &recorders : NULL, &rays);
+        camera_rays_init(tracer, grid, jitter, index, &run, is_recorded ? &recorders : NULL, &rays);
         trace_camera_rays(tracer, &rays.state, colors, counts);
         if (grid->ray_tree) {
             ray_tree_finish(grid->ray_tree, tracer->origin);
@@ -215,10 +222,11 @@ void trace_tile_primary(const Tracer *tracer, const PixelGrid *grid, int *shapes
                         double *distances) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
+    CameraRun run = {0};
     for (int index = 0; index < packet_count; index++) {
         Packet packet;
         Hit hits[PACKET_VECTORS];
-        camera_generate_rays(&tracer->camera, grid, jitter, index, &packet);
+        camera_generate_rays(&tracer->camera, grid, jitter, index, &run, &packet);
         packet.wants_points = false;
         shape_set_closest_hits(&tracer->shapes, &packet, hits);
         for (int v = 0; v < PACKET_VECTORS; v++) {

@@ -18,11 +18,12 @@ typedef struct CameraRays {
  * Generates the camera rays of a packet of a grid.
  * @param jitter  Where in its pixel each ray goes.
  * @param index  Index of the packet, below grid_packet_count().
+ * @param[in,out] run  See camera_generate_rays().
  * @param recorders  What is recorded of the rays; NULL: nothing.
  * @param[out] rays  The rays; it contains pointers into itself.
  */
 void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter, int index,
-                      const Recorders *recorders, CameraRays *rays);
+                      CameraRun *run, const Recorders *recorders, CameraRays *rays);
 
 /** The elements of an output array that the lanes of a vector are written to, one by one. */
 typedef struct OutputRange {

@@ -2,11 +2,18 @@
  * @file
  * @brief Boxes that are tested at once: LANES of them against a packet; in engines of one lane
  * eight against one ray, in vectors of 16 bytes.
+ *
+ * Quad tests boxes in float, as each of its own operations is a function. All that is rounded is
+ * rounded so that a box is never missed: a shape more is tested now and then, and the picture has
+ * the same bits. For double this would not pay: a shadow ray starts so near its surface that float
+ * cannot tell it from the box of that.
  */
 #ifndef DIOPTRE_TRACE_BVH_AABB_PACK_H
 #define DIOPTRE_TRACE_BVH_AABB_PACK_H
 
 #include "trace/bvh/slab.h"
+
+#include <float.h>
 
 #if LANES > 1
 /** Number of boxes in a pack. */
@@ -17,21 +24,35 @@ enum { AABB_PACK_SIZE = LANES };
 enum { AABB_PACK_SIZE = 8 };
 #endif
 
-#if LANES > 1 || REAL_BITS > 64
+#if REAL_BITS > 64
+/** A number of a box. */
+typedef float pack_scalar;
+#else
+/** A number of a box. */
+typedef scalar pack_scalar;
+#endif
+#if LANES > 1
 /** A number per box, for some boxes. */
 typedef real PackReal;
 /** A truth value per box. */
 typedef mask PackMask;
 #else
 /** A number per box, for some boxes: 16 bytes, the vectors of every processor of today. */
-typedef scalar PackReal __attribute__((vector_size(16)));
+typedef pack_scalar PackReal __attribute__((vector_size(16)));
+#if REAL_BITS == 64
 /** A truth value per box: 0 or all bits set. */
-typedef lane_integer PackMask __attribute__((vector_size(16)));
+typedef int64_t PackMask __attribute__((vector_size(16)));
+#else
+/** A truth value per box: 0 or all bits set. */
+typedef int32_t PackMask __attribute__((vector_size(16)));
 #endif
+#endif
+/** A #pack_scalar in memory. */
+typedef pack_scalar stored_pack_scalar __attribute__((may_alias));
 
 enum {
-    PACK_LANES = sizeof(PackReal) / sizeof(scalar), /**< Number of boxes in a #PackReal. */
-    PACK_VECTORS = AABB_PACK_SIZE / PACK_LANES      /**< Number of those in a pack. */
+    PACK_LANES = sizeof(PackReal) / sizeof(pack_scalar), /**< Number of boxes in a #PackReal. */
+    PACK_VECTORS = AABB_PACK_SIZE / PACK_LANES           /**< Number of those in a pack. */
 };
 
 /** A pack of boxes. */
@@ -40,17 +61,47 @@ typedef union AabbPack {
     PackReal planes[6][PACK_VECTORS]; /**< As one ray meets them. */
 } AabbPack;
 
+#if REAL_BITS > 64
+
+/** @return Bound on the rounding to a number of a box. @param rounded The result. */
+INLINE pack_scalar pack_scalar_error(pack_scalar rounded) {
+    /** The roundoff of float, twice. */
+    const float roundoff = 0x1p-23f;
+    return __builtin_fabsf(rounded) * roundoff + FLT_MIN;
+}
+
+/** @return A number of a box that is not less; NaN for numbers below its range, but for infinity:
+ *          NaN clips nothing. */
+INLINE pack_scalar pack_scalar_above(scalar x) {
+    pack_scalar rounded = (pack_scalar)x;
+    return rounded + pack_scalar_error(rounded);
+}
+
+#else
+
+/** @return A number of a box that is not less: the same. */
+INLINE pack_scalar pack_scalar_above(scalar x) {
+    return x;
+}
+
+#endif
+
+/** @return A number of a box that is not greater. */
+INLINE pack_scalar pack_scalar_below(scalar x) {
+    return -pack_scalar_above(-x);
+}
+
 /** Sets a box. @param i Its index in the pack. */
 INLINE void aabb_pack_set(AabbPack *pack, size_t i, Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
-        ((stored_scalar *)pack->planes[axis])[i] = box.low[axis];
-        ((stored_scalar *)pack->planes[axis + 3])[i] = box.high[axis];
+        ((stored_pack_scalar *)pack->planes[axis])[i] = pack_scalar_below(box.low[axis]);
+        ((stored_pack_scalar *)pack->planes[axis + 3])[i] = pack_scalar_above(box.high[axis]);
     }
 }
 
 /** @return The number of a box. @param i Its index in the pack. */
-INLINE scalar pack_lane(const PackReal numbers[PACK_VECTORS], int i) {
-    return ((const stored_scalar *)numbers)[i];
+INLINE pack_scalar pack_lane(const PackReal numbers[PACK_VECTORS], int i) {
+    return ((const stored_pack_scalar *)numbers)[i];
 }
 
 /** @return Number of packs for a number of boxes. */
@@ -68,11 +119,26 @@ INLINE PackReal pack_max(PackReal a, PackReal b) {
     return PACK_MAX(a, b);
 }
 
-/** #slab_clip_ordered for one ray and some boxes. */
-INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal leave, real origin,
-                      real inverse) {
-    *near = pack_max((enter - origin) * inverse, *near);
-    *far = pack_min((leave - origin) * inverse, *far);
+#if REAL_BITS > 64
+/** #SLAB_SLACK of these numbers. */
+#define PACK_SLACK (22 * 0x1p-24f)
+/** Distances up to this one have larger errors: products below the range lose bits. */
+#define PACK_LEAST (2 * FLT_MIN)
+#else
+/** #SLAB_SLACK of these numbers. */
+#define PACK_SLACK SLAB_SLACK
+/** See above: there are none. */
+#define PACK_LEAST 0
+#endif
+
+/** #slab_clip_ordered for one ray and some boxes. @param origin, inverse The ray's. A ray that
+ *  starts too far ahead meets planes earlier. */
+INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal leave, scalar origin,
+                      scalar inverse) {
+    const bool is_down = inverse < 0;
+    const pack_scalar low = pack_scalar_below(origin), high = pack_scalar_above(origin);
+    *near = pack_max((enter - (is_down ? low : high)) * (pack_scalar)inverse, *near);
+    *far = pack_min((leave - (is_down ? high : low)) * (pack_scalar)inverse, *far);
 }
 
 /**
@@ -90,15 +156,16 @@ INLINE unsigned aabb_pack_meets(const Ray *ray, const AabbPack *pack, const Slab
                    *leave_y = pack->planes[order->leave[1]],
                    *enter_z = pack->planes[order->enter[2]],
                    *leave_z = pack->planes[order->leave[2]];
-    const Vec3 origin = ray->origin, inverse = ray->inverse_direction;
+    const Vec3s origin = vec3s_first_lane(ray->origin),
+                inverse = vec3s_first_lane(ray->inverse_direction);
     unsigned bits = 0;
     for (size_t v = 0; v < vectors; v++) {
-        PackReal t_near = {0}, t_far = limit - t_near;
+        PackReal t_near = {0}, t_far = pack_scalar_above(real_lane(limit, 0)) - t_near;
         pack_clip(&t_near, &t_far, enter_x[v], leave_x[v], origin.x, inverse.x);
         pack_clip(&t_near, &t_far, enter_y[v], leave_y[v], origin.y, inverse.y);
         pack_clip(&t_near, &t_far, enter_z[v], leave_z[v], origin.z, inverse.z);
-        near[v] = t_near * (1 - SLAB_SLACK);
-        bits |= PACK_BITS(near[v] <= t_far * (1 + SLAB_SLACK)) << v * PACK_LANES;
+        near[v] = t_near * (1 - PACK_SLACK) - PACK_LEAST;
+        bits |= PACK_BITS(near[v] <= t_far * (1 + PACK_SLACK)) << v * PACK_LANES;
     }
     return bits;
 }

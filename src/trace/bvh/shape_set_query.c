@@ -236,7 +236,8 @@ INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hi
             single_ray_candidates(set, packet, order, hits[0].distance, pack, near);
         for (int i = 0; remaining >> i; i++) {
             // A hit rules out all boxes behind it.
-            if (remaining >> i & 1 && pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
+            if (remaining >> i & 1 &&
+                (scalar)pack_lane(near, i) <= real_lane(hits[0].distance, 0)) {
                 shape_closest_hits(linear_shape(set, pack, i), 0, packet, hits);
             }
         }

@@ -11,7 +11,7 @@
 // <immintrin.h> takes a third of a second to compile, so only engines that need it include it.
 #if LANES > 1 && defined(__AVX2__)
 #include <immintrin.h>
-#elif REAL_BITS <= 64 && defined(__SSE2__)
+#elif defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
@@ -134,22 +134,22 @@ static inline __attribute__((always_inline)) void lanes_compress(double *to, __m
 #define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
 #endif
 
-// Engines of one lane test a few boxes at once, in vectors of 16 bytes: see bvh/aabb_pack.h.
-#if LANES > 1 || REAL_BITS > 64
+// Engines of one lane test a few boxes at once, quad in float: see bvh/aabb_pack.h.
+#if LANES > 1
 /** The minimum per box; b if either is NaN. */
 #define PACK_MIN(a, b) LANES_MIN(a, b)
 /** The maximum per box; b if either is NaN. */
 #define PACK_MAX(a, b) LANES_MAX(a, b)
 /** Bit i set where the truth value of box i is. */
 #define PACK_BITS(m) mask_bits(m)
-#elif REAL_BITS == 32 && defined(__SSE2__)
-#define PACK_MIN(a, b) (PackReal) _mm_min_ps((__m128)(a), (__m128)(b))
-#define PACK_MAX(a, b) (PackReal) _mm_max_ps((__m128)(a), (__m128)(b))
-#define PACK_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
 #elif REAL_BITS == 64 && defined(__SSE2__)
 #define PACK_MIN(a, b) (PackReal) _mm_min_pd((__m128d)(a), (__m128d)(b))
 #define PACK_MAX(a, b) (PackReal) _mm_max_pd((__m128d)(a), (__m128d)(b))
 #define PACK_BITS(m) (unsigned)_mm_movemask_pd((__m128d)(m))
+#elif defined(__SSE2__)
+#define PACK_MIN(a, b) (PackReal) _mm_min_ps((__m128)(a), (__m128)(b))
+#define PACK_MAX(a, b) (PackReal) _mm_max_ps((__m128)(a), (__m128)(b))
+#define PACK_BITS(m) (unsigned)_mm_movemask_ps((__m128)(m))
 #else
 /** @return The bits of a vector of truth values. */
 static inline __attribute__((always_inline)) unsigned

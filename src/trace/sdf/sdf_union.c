@@ -79,8 +79,9 @@ INLINE void union_run_distances(const SdfInstruction *run, const Aabbs *points,
         for (int v = 0; v < PACK_VECTORS; v++) {
             PackReal axes[3];
             for (int axis = 0; axis < 3; axis++) {
-                axes[axis] = pack_max(boxes->planes[axis][v] - points->high[axis],
-                                      points->low[axis] - boxes->planes[axis + 3][v]);
+                axes[axis] =
+                    pack_max(boxes->planes[axis][v] - pack_scalar_above(points->high[axis]),
+                             pack_scalar_below(points->low[axis]) - boxes->planes[axis + 3][v]);
             }
             distances->packs[k][v] = pack_max(axes[0], pack_max(axes[1], axes[2]));
         }
@@ -91,9 +92,10 @@ INLINE void union_run_distances(const SdfInstruction *run, const Aabbs *points,
  *  @param farthest The largest distance so far. */
 INLINE unsigned union_pack_near(const SdfUnionPack *pack, const PackReal distances[PACK_VECTORS],
                                 scalar farthest) {
+    const pack_scalar limit = pack_scalar_above(farthest);
     unsigned far = 0;
     for (int v = 0; v < PACK_VECTORS; v++) {
-        far |= PACK_BITS((distances[v] > 0) & (distances[v] > farthest)) << v * PACK_LANES;
+        far |= PACK_BITS((distances[v] > 0) & (distances[v] > limit)) << v * PACK_LANES;
     }
     return ~far & pack->bits;
 }
@@ -104,7 +106,7 @@ INLINE const SdfInstruction *union_run_nearest(const SdfInstruction *run,
     PackReal least[PACK_VECTORS];
     int best = 0, nearest = 0;
     for (int v = 0; v < PACK_VECTORS; v++) {
-        least[v] = INFINITE - (PackReal){0};
+        least[v] = (pack_scalar)INFINITE - (PackReal){0};
         for (int k = 0; k < run->pack_count; k++) {
             least[v] = pack_min(distances->packs[k][v], least[v]);
         }

@@ -1,10 +1,11 @@
 /**
  * @file
- * @brief The order in which a ray meets the children of nodes, checked at one number type and
- *        width: the Makefile compiles this file for each engine, with the engine's flags.
+ * @brief The boxes that one ray meets, checked at one number type and width: the Makefile compiles
+ *        this file for each engine, with the engine's flags.
  */
-#include "bvh_order.h"
+#include "box_tests.h"
 
+#include "../src/trace/bvh/aabb_pack.h"
 #include "../src/trace/bvh/bvh_build.c"
 #include "../src/trace/bvh/bvh_single.c"
 #include "../src/trace/bvh/bvh_split.c"
@@ -22,13 +23,17 @@ static Bvh build_tree(const Aabbs *boxes) {
     return bvh;
 }
 
-#if BVH_HAS_ORDERS
+#if BVH_HAS_ORDERS || LANES == 1
 
 /** @return A random number, 0 to 1 (Knuth's linear congruential generator). */
 static scalar random_scalar(uint64_t *state) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (scalar)(*state >> 40) / (scalar)0x1000000;
 }
+
+#endif
+
+#if BVH_HAS_ORDERS
 
 /** @return What is wrong with an order; NULL: nothing is. */
 static const char *check_order(const BvhNode *node, unsigned octant) {
@@ -129,5 +134,79 @@ static unsigned count_leaves(unsigned octant) {
     return visits;
 }
 
-extern const BvhOrderChecks CHECKS;
-const BvhOrderChecks CHECKS = {check_nodes, count_leaves};
+#if LANES == 1
+
+/** Number of packs. */
+enum { PACKS = 20000 };
+
+/** @return A random coordinate: whole ones are common, so that rays start on planes and graze them.
+ */
+static scalar random_coordinate(uint64_t *seed, scalar scale) {
+    scalar x = 8 * random_scalar(seed) - 4;
+    return scale * (random_scalar(seed) < (scalar)0.5 ? (scalar)(int)x : x);
+}
+
+/** @return A random ray; some are parallel to planes. */
+static Ray random_ray(uint64_t *seed, scalar scale) {
+    scalar numbers[6];
+    for (int i = 0; i < 6; i++) {
+        numbers[i] = random_coordinate(seed, i < 3 ? scale : 1);
+    }
+    return ray_of((Vec3){numbers[0], numbers[1], numbers[2]},
+                  (Vec3){numbers[3], numbers[4], numbers[5]});
+}
+
+/** Checks a pack of boxes with one ray. @return What is wrong; NULL: nothing is. */
+static const char *check_pack(uint64_t *seed, scalar scale) {
+    AabbPack pack;
+    Aabbs boxes[AABB_PACK_SIZE];
+    for (int i = 0; i < AABB_PACK_SIZE; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            scalar a = random_coordinate(seed, scale), b = random_coordinate(seed, scale);
+            boxes[i].low[axis] = a < b ? a : b;
+            boxes[i].high[axis] = a < b ? b : a;
+        }
+        aabb_pack_set(&pack, (size_t)i, boxes[i]);
+    }
+    const Ray ray = random_ray(seed, scale);
+    const scalar limit = random_scalar(seed) < (scalar)0.5 ? INFINITE : scale;
+    PackReal nears[PACK_VECTORS];
+    unsigned bits = aabb_pack_meets(&ray, &pack, &SLAB_ORDERS[octant_of(&ray.inverse_direction, 0)],
+                                    limit, PACK_VECTORS, nears);
+    for (int i = 0; i < AABB_PACK_SIZE; i++) {
+        Aabb box = aabb_splat(boxes[i]);
+        real near;
+        if (slab_intersects(&ray, &box, limit, &near)) {
+            if (!(bits >> i & 1)) {
+                return "a box is missed";
+            }
+            if ((scalar)pack_lane(nears, i) > near) {
+                return "a box is nearer";
+            }
+        }
+    }
+    return NULL;
+}
+
+static const char *check_packs(uint64_t seed) {
+    /** From where products of float vanish to where quad exceeds float. */
+    const scalar scales[] = {(scalar)1e-30, (scalar)1e-19, 1,
+                             (scalar)1e6,   (scalar)1e30,  REAL_BITS > 64 ? (scalar)1e45 : 1};
+    const char *fault = NULL;
+    for (size_t i = 0; i < PACKS && !fault; i++) {
+        fault = check_pack(&seed, scales[i % (sizeof scales / sizeof *scales)]);
+    }
+    return fault;
+}
+
+#else
+
+static const char *check_packs(uint64_t seed) {
+    (void)seed;
+    return NULL;
+}
+
+#endif
+
+extern const BoxChecks CHECKS;
+const BoxChecks CHECKS = {check_nodes, count_leaves, check_packs};

@@ -146,11 +146,16 @@ static scalar random_coordinate(uint64_t *seed, scalar scale) {
     return scale * (random_scalar(seed) < (scalar)0.5 ? (scalar)(int)x : x);
 }
 
-/** @return A random ray; some are parallel to planes. */
+/** @return A random ray; some are parallel to planes, or nearly so, some very long, some short. */
 static Ray random_ray(uint64_t *seed, scalar scale) {
+    const scalar tiny = REAL_BITS > 64 ? (scalar)1e-40L : (scalar)1e-18, kind = random_scalar(seed),
+                 length = kind < (scalar)0.5    ? 1
+                          : kind < (scalar)0.75 ? 1 / tiny
+                                                : (scalar)0.03125;
     scalar numbers[6];
     for (int i = 0; i < 6; i++) {
-        numbers[i] = random_coordinate(seed, i < 3 ? scale : 1);
+        numbers[i] = random_coordinate(seed, i < 3 ? scale : length);
+        numbers[i] *= i >= 3 && random_scalar(seed) < (scalar)0.25 ? tiny : 1;
     }
     return ray_of((Vec3){numbers[0], numbers[1], numbers[2]},
                   (Vec3){numbers[3], numbers[4], numbers[5]});

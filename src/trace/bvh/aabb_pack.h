@@ -70,8 +70,8 @@ INLINE pack_scalar pack_scalar_error(pack_scalar rounded) {
     return __builtin_fabsf(rounded) * roundoff + FLT_MIN;
 }
 
-/** @return A number of a box that is not less; NaN for numbers below its range, but for infinity:
- *          NaN clips nothing. */
+/** @return A number of a box that is not less; NaN for numbers below its range, minus infinity
+ *          included: NaN clips nothing. */
 INLINE pack_scalar pack_scalar_above(scalar x) {
     pack_scalar rounded = (pack_scalar)x;
     return rounded + pack_scalar_error(rounded);
@@ -119,26 +119,57 @@ INLINE PackReal pack_max(PackReal a, PackReal b) {
     return PACK_MAX(a, b);
 }
 
+/** A ray along an axis, as boxes meet it. */
+typedef struct PackAxis {
+    pack_scalar enter_origin;  /**< Its origin for the first planes: it meets them no later. */
+    pack_scalar leave_origin;  /**< Its origin for the last planes: it meets them no earlier. */
+    pack_scalar enter_inverse; /**< 1 / direction for the first planes, no larger. */
+    pack_scalar leave_inverse; /**< 1 / direction for the last planes, no smaller. */
+} PackAxis;
+
 #if REAL_BITS > 64
+
 /** #SLAB_SLACK of these numbers. */
 #define PACK_SLACK (22 * 0x1p-24f)
-/** Distances up to this one have larger errors: products below the range lose bits. */
-#define PACK_LEAST (2 * FLT_MIN)
+
+/** @return A ray along an axis. @param inverse 1 / direction. */
+INLINE PackAxis pack_axis_of(scalar origin, scalar inverse) {
+    const bool is_down = inverse < 0;
+    const scalar size = is_down ? -inverse : inverse;
+    const pack_scalar low = pack_scalar_below(origin), high = pack_scalar_above(origin),
+                      less = pack_scalar_below(size), more = pack_scalar_above(size),
+                      least = less > 0 ? less : 0; // Of what is beyond the range, 0.
+    return is_down ? (PackAxis){low, high, -least, -more} : (PackAxis){high, low, least, more};
+}
+
+/** @return Lower bounds on distances. Products beyond the range are the end of it, and those below
+ *          it lose bits. */
+INLINE PackReal pack_near_bound(PackReal t) {
+    return pack_min(t, FLT_MAX - (PackReal){0}) * (1 - PACK_SLACK) - 2 * FLT_MIN;
+}
+
 #else
+
 /** #SLAB_SLACK of these numbers. */
 #define PACK_SLACK SLAB_SLACK
-/** See above: there are none. */
-#define PACK_LEAST 0
+
+/** @return A ray along an axis. @param inverse 1 / direction. */
+INLINE PackAxis pack_axis_of(scalar origin, scalar inverse) {
+    return (PackAxis){origin, origin, inverse, inverse};
+}
+
+/** @return Lower bounds on distances. */
+INLINE PackReal pack_near_bound(PackReal t) {
+    return t * (1 - PACK_SLACK);
+}
+
 #endif
 
-/** #slab_clip_ordered for one ray and some boxes. @param origin, inverse The ray's. A ray that
- *  starts too far ahead meets planes earlier. */
-INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal leave, scalar origin,
-                      scalar inverse) {
-    const bool is_down = inverse < 0;
-    const pack_scalar low = pack_scalar_below(origin), high = pack_scalar_above(origin);
-    *near = pack_max((enter - (is_down ? low : high)) * (pack_scalar)inverse, *near);
-    *far = pack_min((leave - (is_down ? high : low)) * (pack_scalar)inverse, *far);
+/** #slab_clip_ordered for one ray and some boxes. */
+INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal leave,
+                      PackAxis axis) {
+    *near = pack_max((enter - axis.enter_origin) * axis.enter_inverse, *near);
+    *far = pack_min((leave - axis.leave_origin) * axis.leave_inverse, *far);
 }
 
 /**
@@ -158,13 +189,15 @@ INLINE unsigned aabb_pack_meets(const Ray *ray, const AabbPack *pack, const Slab
                    *leave_z = pack->planes[order->leave[2]];
     const Vec3s origin = vec3s_first_lane(ray->origin),
                 inverse = vec3s_first_lane(ray->inverse_direction);
+    const PackAxis x = pack_axis_of(origin.x, inverse.x), y = pack_axis_of(origin.y, inverse.y),
+                   z = pack_axis_of(origin.z, inverse.z);
     unsigned bits = 0;
     for (size_t v = 0; v < vectors; v++) {
         PackReal t_near = {0}, t_far = pack_scalar_above(real_lane(limit, 0)) - t_near;
-        pack_clip(&t_near, &t_far, enter_x[v], leave_x[v], origin.x, inverse.x);
-        pack_clip(&t_near, &t_far, enter_y[v], leave_y[v], origin.y, inverse.y);
-        pack_clip(&t_near, &t_far, enter_z[v], leave_z[v], origin.z, inverse.z);
-        near[v] = t_near * (1 - PACK_SLACK) - PACK_LEAST;
+        pack_clip(&t_near, &t_far, enter_x[v], leave_x[v], x);
+        pack_clip(&t_near, &t_far, enter_y[v], leave_y[v], y);
+        pack_clip(&t_near, &t_far, enter_z[v], leave_z[v], z);
+        near[v] = pack_near_bound(t_near);
         bits |= PACK_BITS(near[v] <= t_far * (1 + PACK_SLACK)) << v * PACK_LANES;
     }
     return bits;

@@ -46,8 +46,10 @@ enum { BVH_MAX_DEPTH = 64 };
 #define BVH_STACK_SIZE (BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
 
 #ifdef LANES_PERMUTE
-/** Whether nodes know the order in which rays meet their children. One vector holds them all. */
+/** Whether nodes have the order in which rays meet their children: where one vector holds them all,
+ *  and an instruction permutes its lanes. */
 #define BVH_HAS_ORDERS 1
+_Static_assert(BVH_NODE_VECTORS == 1, "an order is of the lanes of a vector");
 #else
 #define BVH_HAS_ORDERS 0
 #endif

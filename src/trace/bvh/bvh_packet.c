@@ -7,7 +7,6 @@
  * nearest on top.
  */
 #include "trace/bvh/bvh.h"
-#include "trace/bvh/slab.h"
 
 /** Number of rays up to which they are traversed one by one: reflected rays take a third less time
  *  (measured with 4, 16, 24, 40). */

@@ -12,7 +12,7 @@
 /** Number of interleaved rays: more gain nothing (measured on a mesh larger than all caches). */
 enum { RAYS_IN_FLIGHT = 8 };
 
-/** The children that a ray may meet, the nearest on top. A vector may be written beyond. */
+/** The children that a ray may meet, roughly the nearest on top. A vector may be written beyond. */
 typedef struct SingleStack {
     scalar near[BVH_STACK_SIZE + LANES];             /**< Lower bounds on their distances. */
     integer_scalar children[BVH_STACK_SIZE + LANES]; /**< As in #BvhNode.children. */

@@ -26,10 +26,10 @@ typedef struct TriangleBlockNormals {
 /** Nearest hits of a packet; #BvhLeafRays.limits holds their distances. */
 typedef struct MeshBvhHits {
     integer slots[PACKET_VECTORS];             /**< Slots of the triangles; -1: none. */
-    TriangleBlockBoxes boxes;                  /**< Of the last block that a vector reached. */
+    TriangleBlockBoxes boxes;                  /**< Of the last block whose boxes were tested. */
     TriangleBlockNormals normals;              /**< Of the last block with a hit. */
     unsigned interval_bits;                    /**< Bit v: #intervals has those of vector v. */
-    PacketIntervals intervals[PACKET_VECTORS]; /**< The intervals of the vectors. */
+    PacketIntervals intervals[PACKET_VECTORS]; /**< See #triangle_block_candidates. */
 } MeshBvhHits;
 
 /** @return All triangles of a block. */

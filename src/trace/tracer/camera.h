@@ -141,8 +141,8 @@ INLINE Ray camera_grid_ray(const Camera *camera, const PixelGrid *grid, PixelJit
  *  need none. */
 enum { CAMERA_RUN_RAYS = LANES == 1 ? 16 : 1 };
 
-/** Camera rays of neighbours in a row that an engine of one lane generates together: a ray waits
- *  for a root and four quotients, and those of the others are computed meanwhile. */
+/** Camera rays of neighbours in a row, which an engine of one lane generates together. The root and
+ *  the four quotients of a ray take long, and those of the others are computed meanwhile. */
 typedef struct CameraRun {
     int first;                 /**< Index of the first ray's packet. */
     int count;                 /**< Number of rays; 0: none yet. */

@@ -163,7 +163,7 @@ INLINE void interval_clip_positive(real *near, real *far, const AxisInterval *in
     real to_low = low - real_of(interval->origin_high),
          to_high = high - real_of(interval->origin_low);
     real enter = to_low * real_select(to_low > 0, min_inverse, max_inverse);
-    real leave = to_high * real_select(to_high > 0, max_inverse, min_inverse);
+    real leave = to_high * real_select(to_high < 0, min_inverse, max_inverse);
     *near = real_max(enter, *near);
     *far = real_min(leave, *far);
 }

@@ -1,38 +1,27 @@
 /**
  * @file
  * @brief Boxes and one ray, in any number type and width: it visits the children of a node from
- *        near to far, so that the first hit rules out what lies behind, and no pack of boxes loses
- *        one that it meets.
+ *        near to far, so that the first hit rules out what lies behind, and no test of many boxes
+ *        or many rays loses a box that a ray meets.
  */
 #include "box_tests/box_tests.h"
 
-#include "dioptre/engine.h"
 #include "testing.h"
 
-/** The checks of an engine. The makefile defines ENGINE_LIST(X) as X(name) for each. */
-#define DECLARE(name) extern const BoxChecks box_tests_##name;
-ENGINE_LIST(DECLARE)
+/** See engine_checks.h. */
+#define ENGINE_CHECKS BoxChecks
+/** See engine_checks.h. */
+#define ENGINE_CHECKS_OF(name) box_tests_##name
+#include "engine_checks.h"
 
-/** An engine and its checks. */
-typedef struct EngineChecks {
-    const char *engine;      /**< Its name. */
-    const BoxChecks *checks; /**< Its checks. */
-} EngineChecks;
-
-/** The checks of an engine, and a comma. */
-#define ROW(name) {#name, &box_tests_##name},
-static const EngineChecks all_checks[] = {ENGINE_LIST(ROW)};
-
-/** Octants of directions. */
-enum { OCTANT_COUNT = 8 };
-
-/** The order of a node has each child once, from far to near. */
-static void test_nodes(void **state) {
-    (void)state;
+/** Runs a check in all engines that have what it checks. */
+static void run_check(BoxCheck check) {
     Error error = {0};
     for (size_t i = 0; i < COUNT(all_checks); i++) {
-        for (uint64_t seed = 1; engine_find(all_checks[i].engine, &error) && seed <= 3; seed++) {
-            const char *fault = all_checks[i].checks->nodes(seed);
+        const BoxChecks *checks = all_checks[i].checks;
+        bool is_there = checks->run[check] && engine_find(all_checks[i].engine, &error);
+        for (uint64_t seed = 1; is_there && seed <= 3; seed++) {
+            const char *fault = checks->run[check](seed);
             if (fault) {
                 fail_msg("%s: %s", all_checks[i].engine, fault);
             }
@@ -40,35 +29,34 @@ static void test_nodes(void **state) {
     }
 }
 
-/** A ray along a row of boxes visits the leaf of the first box only. */
+/** @param state Not used. */
+static void test_orders(void **state) {
+    (void)state;
+    run_check(BOX_ORDERS);
+}
+
+/** @param state Not used. */
 static void test_row(void **state) {
     (void)state;
-    Error error = {0};
-    for (size_t i = 0; i < COUNT(all_checks); i++) {
-        for (unsigned octant = 0;
-             engine_find(all_checks[i].engine, &error) && octant < OCTANT_COUNT; octant++) {
-            assert_int_equal(all_checks[i].checks->leaves(octant), 1);
-        }
-    }
+    run_check(BOX_ROW);
 }
 
-/** A pack has each box that the ray meets by the test of one box, and no lower bound beyond its. */
+/** @param state Not used. */
 static void test_packs(void **state) {
     (void)state;
-    Error error = {0};
-    for (size_t i = 0; i < COUNT(all_checks); i++) {
-        for (uint64_t seed = 1; engine_find(all_checks[i].engine, &error) && seed <= 3; seed++) {
-            const char *fault = all_checks[i].checks->packs(seed);
-            if (fault) {
-                fail_msg("%s: %s", all_checks[i].engine, fault);
-            }
-        }
-    }
+    run_check(BOX_PACKS);
+}
+
+/** @param state Not used. */
+static void test_intervals(void **state) {
+    (void)state;
+    run_check(BOX_INTERVALS);
 }
 
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nodes), cmocka_unit_test(test_row),
-                                       cmocka_unit_test(test_packs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orders), cmocka_unit_test(test_row),
+                                       cmocka_unit_test(test_packs),
+                                       cmocka_unit_test(test_intervals)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

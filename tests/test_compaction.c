@@ -5,22 +5,13 @@
  */
 #include "compaction/compaction.h"
 
-#include "dioptre/engine.h"
 #include "testing.h"
 
-/** The checks of an engine. The makefile defines ENGINE_LIST(X) as X(name) for each. */
-#define DECLARE(name) extern const CompactionChecks compaction_##name;
-ENGINE_LIST(DECLARE)
-
-/** An engine and its checks. */
-typedef struct EngineChecks {
-    const char *engine;             /**< Its name. */
-    const CompactionChecks *checks; /**< Its checks. */
-} EngineChecks;
-
-/** The checks of an engine, and a comma. */
-#define ROW(name) {#name, &compaction_##name},
-static const EngineChecks all_checks[] = {ENGINE_LIST(ROW)};
+/** See engine_checks.h. */
+#define ENGINE_CHECKS CompactionChecks
+/** See engine_checks.h. */
+#define ENGINE_CHECKS_OF(name) compaction_##name
+#include "engine_checks.h"
 
 /** Runs a check at all types and widths that the processor has. */
 static void run_check(CompactionCheck check) {

@@ -5,24 +5,15 @@
  */
 #include "tape_octree/tape_octree.h"
 
-#include "dioptre/engine.h"
 #include "testing.h"
 
 #include <string.h>
 
-/** The checks of an engine. The makefile defines ENGINE_LIST(X) as X(name) for each. */
-#define DECLARE(name) extern const OctreeChecks tape_octree_##name;
-ENGINE_LIST(DECLARE)
-
-/** An engine and its checks. */
-typedef struct EngineChecks {
-    const char *engine;         /**< Its name. */
-    const OctreeChecks *checks; /**< Its checks. */
-} EngineChecks;
-
-/** The checks of an engine, and a comma. */
-#define ROW(name) {#name, &tape_octree_##name},
-static const EngineChecks all_checks[] = {ENGINE_LIST(ROW)};
+/** See engine_checks.h. */
+#define ENGINE_CHECKS OctreeChecks
+/** See engine_checks.h. */
+#define ENGINE_CHECKS_OF(name) tape_octree_##name
+#include "engine_checks.h"
 
 /** Random tapes per engine. */
 enum { TAPES = 60 };

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief The boxes that one ray meets, checked at one number type and width: the Makefile compiles
+ * @brief The boxes that rays meet, checked at one number type and width: the Makefile compiles
  *        this file for each engine, with the engine's flags.
  */
 #include "box_tests.h"
@@ -9,6 +9,7 @@
 #include "../src/trace/bvh/bvh_build.c"
 #include "../src/trace/bvh/bvh_single.c"
 #include "../src/trace/bvh/bvh_split.c"
+#include "../src/trace/tracer/packet.c"
 
 /** Number of boxes in a tree. */
 enum { BOXES = 3000 };
@@ -23,15 +24,11 @@ static Bvh build_tree(const Aabbs *boxes) {
     return bvh;
 }
 
-#if BVH_HAS_ORDERS || LANES == 1
-
 /** @return A random number, 0 to 1 (Knuth's linear congruential generator). */
 static scalar random_scalar(uint64_t *state) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (scalar)(*state >> 40) / (scalar)0x1000000;
 }
-
-#endif
 
 #if BVH_HAS_ORDERS
 
@@ -59,7 +56,8 @@ static const char *check_order(const BvhNode *node, unsigned octant) {
     return seen == (1u << BVH_WIDTH) - 1 ? NULL : "a child is missing";
 }
 
-static const char *check_nodes(uint64_t seed) {
+/** See #BOX_ORDERS. */
+static const char *check_orders(uint64_t seed) {
     static Aabbs boxes[BOXES];
     for (int i = 0; i < BOXES; i++) {
         for (int axis = 0; axis < 3; axis++) {
@@ -76,13 +74,6 @@ static const char *check_nodes(uint64_t seed) {
     }
     bvh_deinit(&bvh);
     return fault;
-}
-
-#else
-
-static const char *check_nodes(uint64_t seed) {
-    (void)seed;
-    return NULL;
 }
 
 #endif
@@ -107,6 +98,7 @@ static void end_at_box(const void *items, BvhLeaf leaf, const BvhLeafRays *rays,
     ++*(unsigned *)visits;
 }
 
+/** @return Number of leaves that a ray along a row visits. @param octant That of its direction. */
 static unsigned count_leaves(unsigned octant) {
     static Aabbs boxes[BOXES];
     scalar along[3];
@@ -134,10 +126,18 @@ static unsigned count_leaves(unsigned octant) {
     return visits;
 }
 
-#if LANES == 1
+/** See #BOX_ROW. */
+static const char *check_row(uint64_t seed) {
+    (void)seed;
+    const char *fault = NULL;
+    for (unsigned octant = 0; octant < DIRECTION_OCTANTS && !fault; octant++) {
+        fault = count_leaves(octant) == 1 ? NULL : "a leaf behind is visited";
+    }
+    return fault;
+}
 
-/** Number of packs. */
-enum { PACKS = 20000 };
+/** Number of random cases. */
+enum { CASES = 20000 };
 
 /** @return A random coordinate: whole ones are common, so that rays start on planes and graze them.
  */
@@ -146,34 +146,70 @@ static scalar random_coordinate(uint64_t *seed, scalar scale) {
     return scale * (random_scalar(seed) < (scalar)0.5 ? (scalar)(int)x : x);
 }
 
-/** @return A random ray; some are parallel to planes, or nearly so, some very long, some short. */
-static Ray random_ray(uint64_t *seed, scalar scale) {
-    const scalar tiny = REAL_BITS > 64 ? (scalar)1e-40L : (scalar)1e-18, kind = random_scalar(seed),
-                 length = kind < (scalar)0.5    ? 1
-                          : kind < (scalar)0.75 ? 1 / tiny
-                                                : (scalar)0.03125;
-    scalar numbers[6];
+/** @return A random box; some are flat. */
+static Aabbs random_box(uint64_t *seed, scalar scale) {
+    Aabbs box;
+    for (int axis = 0; axis < 3; axis++) {
+        scalar a = random_coordinate(seed, scale), b = random_coordinate(seed, scale);
+        box.low[axis] = a < b ? a : b;
+        box.high[axis] = a < b ? b : a;
+    }
+    return box;
+}
+
+/** Lengths of directions. */
+typedef struct Lengths {
+    scalar usual; /**< Most components. */
+    scalar tiny;  /**< The others, relative to that. */
+} Lengths;
+
+/** @return Random lengths: some are very long, some short. */
+static Lengths random_lengths(uint64_t *seed) {
+    const scalar tiny = REAL_BITS > 64 ? (scalar)1e-40L : (scalar)1e-18, kind = random_scalar(seed);
+    return (Lengths){kind < (scalar)0.5    ? 1
+                     : kind < (scalar)0.75 ? 1 / tiny
+                                           : (scalar)0.03125,
+                     tiny};
+}
+
+/** @return LANES random rays; some are parallel to planes, or nearly so. */
+static Ray random_rays(uint64_t *seed, scalar scale, Lengths lengths) {
+    real numbers[6];
     for (int i = 0; i < 6; i++) {
-        numbers[i] = random_coordinate(seed, i < 3 ? scale : length);
-        numbers[i] *= i >= 3 && random_scalar(seed) < (scalar)0.25 ? tiny : 1;
+        for (int lane = 0; lane < LANES; lane++) {
+            scalar x = random_coordinate(seed, i < 3 ? scale : lengths.usual);
+            x *= i >= 3 && random_scalar(seed) < (scalar)0.25 ? lengths.tiny : 1;
+            real_set_lane(&numbers[i], lane, x);
+        }
     }
     return ray_of((Vec3){numbers[0], numbers[1], numbers[2]},
                   (Vec3){numbers[3], numbers[4], numbers[5]});
 }
+
+/** @return A size of coordinates: from where products of float vanish to where quad exceeds float.
+ */
+static scalar scale_of(size_t i) {
+    const scalar scales[] = {(scalar)1e-30,
+                             (scalar)1e-19,
+                             1,
+                             (scalar)1e6,
+                             (scalar)1e30,
+                             REAL_BITS > 64 ? (scalar)8e37 : 1,
+                             REAL_BITS > 64 ? (scalar)1e45L : 1};
+    return scales[i % (sizeof scales / sizeof *scales)];
+}
+
+#if LANES == 1
 
 /** Checks a pack of boxes with one ray. @return What is wrong; NULL: nothing is. */
 static const char *check_pack(uint64_t *seed, scalar scale) {
     AabbPack pack;
     Aabbs boxes[AABB_PACK_SIZE];
     for (int i = 0; i < AABB_PACK_SIZE; i++) {
-        for (int axis = 0; axis < 3; axis++) {
-            scalar a = random_coordinate(seed, scale), b = random_coordinate(seed, scale);
-            boxes[i].low[axis] = a < b ? a : b;
-            boxes[i].high[axis] = a < b ? b : a;
-        }
+        boxes[i] = random_box(seed, scale);
         aabb_pack_set(&pack, (size_t)i, boxes[i]);
     }
-    const Ray ray = random_ray(seed, scale);
+    const Ray ray = random_rays(seed, scale, random_lengths(seed));
     const scalar limit = random_scalar(seed) < (scalar)0.5 ? INFINITE : scale;
     PackReal nears[PACK_VECTORS];
     unsigned bits = aabb_pack_meets(&ray, &pack, &SLAB_ORDERS[octant_of(&ray.inverse_direction, 0)],
@@ -181,37 +217,97 @@ static const char *check_pack(uint64_t *seed, scalar scale) {
     for (int i = 0; i < AABB_PACK_SIZE; i++) {
         Aabb box = aabb_splat(boxes[i]);
         real near;
-        if (slab_intersects(&ray, &box, limit, &near)) {
-            if (!(bits >> i & 1)) {
-                return "a box is missed";
-            }
-            if ((scalar)pack_lane(nears, i) > near) {
-                return "a box is nearer";
-            }
+        if (!slab_intersects(&ray, &box, limit, &near)) {
+            continue;
+        }
+        if (!(bits >> i & 1) || (scalar)pack_lane(nears, i) > near) {
+            return bits >> i & 1 ? "a bound is too far" : "a box is missed";
         }
     }
     return NULL;
 }
 
+/** See #BOX_PACKS. */
 static const char *check_packs(uint64_t seed) {
-    /** From where products of float vanish to where quad exceeds float. */
-    const scalar scales[] = {(scalar)1e-30, (scalar)1e-19, 1,
-                             (scalar)1e6,   (scalar)1e30,  REAL_BITS > 64 ? (scalar)1e45 : 1};
     const char *fault = NULL;
-    for (size_t i = 0; i < PACKS && !fault; i++) {
-        fault = check_pack(&seed, scales[i % (sizeof scales / sizeof *scales)]);
+    for (size_t i = 0; i < CASES && !fault; i++) {
+        fault = check_pack(&seed, scale_of(i));
     }
     return fault;
 }
 
 #else
 
-static const char *check_packs(uint64_t seed) {
-    (void)seed;
+/** @return A packet of random rays that mostly go the same way along one axis. */
+static Packet random_packet(uint64_t *seed, scalar scale) {
+    Packet packet = {.has_beam = false};
+    const Lengths lengths = random_lengths(seed);
+    const real limit = real_of(random_scalar(seed) < (scalar)0.5 ? INFINITE : scale);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        Ray rays = random_rays(seed, scale, lengths);
+        rays.direction.x = real_abs(rays.direction.x);
+        rays.origin.y = real_of(scale); // As from one point: it may lie in a plane.
+        packet.rays[v] = ray_of(rays.origin, rays.direction);
+        packet.active[v] = mask_of(true);
+        packet.limit[v] = limit;
+    }
+    return packet;
+}
+
+/** Checks intervals with the rays of some vectors. @return What is wrong; NULL: nothing is. */
+static const char *check_kept(const Packet *packet, int first, int end,
+                              const PacketIntervals *intervals, const Aabb *boxes) {
+    real nearest;
+    mask may_hit = packet_intervals_may_hit(intervals, boxes, &nearest);
+    for (int i = 0; i < LANES; i++) {
+        Aabb box = aabb_splat_lane(boxes, i);
+        for (int v = first; v < end; v++) {
+            real near;
+            mask meets = slab_intersects(&packet->rays[v], &box, packet->limit[v], &near);
+            if (any(meets) && !mask_lane(may_hit, i)) {
+                return "a box is missed";
+            }
+            if (any(meets & (near < real_of(real_lane(nearest, i))))) {
+                return "a bound is too far";
+            }
+        }
+    }
     return NULL;
+}
+
+/** See #BOX_INTERVALS. */
+static const char *check_intervals(uint64_t seed) {
+    const char *fault = NULL;
+    for (size_t i = 0; i < CASES / LANES && !fault; i++) {
+        Aabb boxes;
+        for (int lane = 0; lane < LANES; lane++) {
+            Aabbs box = random_box(&seed, scale_of(i));
+            for (int axis = 0; axis < 3; axis++) {
+                real_set_lane(&boxes.planes[axis], lane, box.low[axis]);
+                real_set_lane(&boxes.planes[axis + 3], lane, box.high[axis]);
+            }
+        }
+        const Packet packet = random_packet(&seed, scale_of(i));
+        PacketIntervals intervals = packet_intervals(&packet);
+        fault = check_kept(&packet, 0, PACKET_VECTORS, &intervals, &boxes);
+        const int v = (int)(i % PACKET_VECTORS);
+        intervals = packet_vector_intervals(&packet, v);
+        fault = fault ? fault : check_kept(&packet, v, v + 1, &intervals, &boxes);
+    }
+    return fault;
 }
 
 #endif
 
 extern const BoxChecks CHECKS;
-const BoxChecks CHECKS = {check_nodes, count_leaves, check_packs};
+const BoxChecks CHECKS = {{
+#if BVH_HAS_ORDERS
+    [BOX_ORDERS] = check_orders,
+#endif
+    [BOX_ROW] = check_row,
+#if LANES == 1
+    [BOX_PACKS] = check_packs,
+#else
+    [BOX_INTERVALS] = check_intervals,
+#endif
+}};

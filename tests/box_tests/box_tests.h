@@ -1,26 +1,27 @@
 /**
  * @file
- * @brief What is checked of the boxes that one ray meets, once for each engine's number type and
- *        width.
+ * @brief What is checked of the boxes that rays meet, once for each engine's number type and width.
  */
 #ifndef DIOPTRE_TESTS_BOX_TESTS_H
 #define DIOPTRE_TESTS_BOX_TESTS_H
 
 #include <stdint.h>
 
+/** What is checked. */
+typedef enum BoxCheck {
+    BOX_ORDERS,    /**< The orders of a node have each child once, from far to near. */
+    BOX_ROW,       /**< A ray along a row of boxes, in any octant, that ends at the first one visits
+                        one leaf. */
+    BOX_PACKS,     /**< A pack has each box that a ray meets by the test of one box, and no lower
+                        bound beyond its; random boxes and rays of any size. */
+    BOX_INTERVALS, /**< The same for the intervals of a packet, and for those of a vector. */
+    BOX_CHECK_COUNT
+} BoxCheck;
+
 /** The checks of a number type and width. */
 typedef struct BoxChecks {
-    /** Builds a tree over random boxes. @return What is wrong with the orders of its nodes; NULL:
-     *  nothing is, or they have none. */
-    const char *(*nodes)(uint64_t seed);
-
-    /** Traverses a row of boxes with a ray that goes along it and ends at the first box.
-     *  @param octant That of the ray's direction. @return Number of leaves that it visits. */
-    unsigned (*leaves)(unsigned octant);
-
-    /** Tests random boxes of any size and place with random rays, in packs and alone, in engines of
-     *  one lane. @return What is wrong; NULL: nothing is. */
-    const char *(*packs)(uint64_t seed);
+    /** A check. @return What is wrong; NULL: nothing is. NULL: the engine has no such thing. */
+    const char *(*run[BOX_CHECK_COUNT])(uint64_t seed);
 } BoxChecks;
 
 #endif

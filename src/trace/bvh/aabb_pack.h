@@ -39,13 +39,8 @@ typedef mask PackMask;
 #else
 /** A number per box, for some boxes: 16 bytes, the vectors of every processor of today. */
 typedef pack_scalar PackReal __attribute__((vector_size(16)));
-#if REAL_BITS == 64
 /** A truth value per box: 0 or all bits set. */
-typedef int64_t PackMask __attribute__((vector_size(16)));
-#else
-/** A truth value per box: 0 or all bits set. */
-typedef int32_t PackMask __attribute__((vector_size(16)));
-#endif
+typedef lane_integer PackMask __attribute__((vector_size(16)));
 #endif
 /** A #pack_scalar in memory. */
 typedef pack_scalar stored_pack_scalar __attribute__((may_alias));
@@ -65,9 +60,7 @@ typedef union AabbPack {
 
 /** @return Bound on the rounding to a number of a box. @param rounded The result. */
 INLINE pack_scalar pack_scalar_error(pack_scalar rounded) {
-    /** The roundoff of float, twice. */
-    const float roundoff = 0x1p-23f;
-    return __builtin_fabsf(rounded) * roundoff + FLT_MIN;
+    return __builtin_fabsf(rounded) * FLT_EPSILON + FLT_MIN; // FLT_EPSILON is twice the roundoff.
 }
 
 /** @return A number of a box that is not less; NaN for numbers below its range, minus infinity
@@ -130,7 +123,7 @@ typedef struct PackAxis {
 #if REAL_BITS > 64
 
 /** #SLAB_SLACK of these numbers. */
-#define PACK_SLACK (22 * 0x1p-24f)
+#define PACK_SLACK (SLAB_ROUNDINGS * FLT_EPSILON / 2)
 
 /** @return A ray along an axis. @param inverse 1 / direction. */
 INLINE PackAxis pack_axis_of(scalar origin, scalar inverse) {
@@ -142,10 +135,16 @@ INLINE PackAxis pack_axis_of(scalar origin, scalar inverse) {
     return is_down ? (PackAxis){low, high, -least, -more} : (PackAxis){high, low, least, more};
 }
 
-/** @return Lower bounds on distances. Products beyond the range are the end of it, and those below
- *          it lose bits. */
+/** @return Distances along an axis. What is beyond the range is the end of it: they are lower
+ *          bounds of products. NaN stays. */
+INLINE PackReal pack_in_range(PackReal distance) {
+    const PackReal most = FLT_MAX - (PackReal){0};
+    return pack_max(-most, pack_min(most, distance));
+}
+
+/** @return Lower bounds on distances. Products below the range lose bits. */
 INLINE PackReal pack_near_bound(PackReal t) {
-    return pack_min(t, FLT_MAX - (PackReal){0}) * (1 - PACK_SLACK) - 2 * FLT_MIN;
+    return pack_in_range(t) * (1 - PACK_SLACK) - 2 * FLT_MIN;
 }
 
 #else
@@ -158,6 +157,11 @@ INLINE PackAxis pack_axis_of(scalar origin, scalar inverse) {
     return (PackAxis){origin, origin, inverse, inverse};
 }
 
+/** @return Distances along an axis: the same. */
+INLINE PackReal pack_in_range(PackReal distance) {
+    return distance;
+}
+
 /** @return Lower bounds on distances. */
 INLINE PackReal pack_near_bound(PackReal t) {
     return t * (1 - PACK_SLACK);
@@ -168,7 +172,7 @@ INLINE PackReal pack_near_bound(PackReal t) {
 /** #slab_clip_ordered for one ray and some boxes. */
 INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal leave,
                       PackAxis axis) {
-    *near = pack_max((enter - axis.enter_origin) * axis.enter_inverse, *near);
+    *near = pack_max(pack_in_range(enter - axis.enter_origin) * axis.enter_inverse, *near);
     *far = pack_min((leave - axis.leave_origin) * axis.leave_inverse, *far);
 }
 

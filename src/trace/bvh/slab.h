@@ -11,12 +11,11 @@
 
 #include "trace/tracer/packet.h"
 
-/**
- * Relative slack of both sides: three roundings of the distance to a plane, and eight more for
- * shapes that compute their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT
- * 2013).
- */
-#define SLAB_SLACK (22 * ROUNDOFF)
+/** Roundings of both sides. Each has three of the distance to a plane, and eight more for shapes
+ *  that compute their distance by other formulas (Ize, *Robust BVH Ray Traversal*, JCGT 2013). */
+#define SLAB_ROUNDINGS 22
+/** Relative slack of both sides. */
+#define SLAB_SLACK (SLAB_ROUNDINGS * ROUNDOFF)
 
 /**
  * Clips an interval to the part of rays between one pair of planes.

@@ -142,6 +142,12 @@ INLINE real vec3_component(const Vec3 *v, int axis) {
     return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
+/** @return The address of a component. @param axis See vec3_component(); no branch depends on it.
+ */
+INLINE const real *vec3_axis(const Vec3 *v, int axis) {
+    return &v->x + axis;
+}
+
 /** @return The maximum norm. */
 INLINE real vec3_max_abs(Vec3 v) {
     return real_max(real_abs(v.x), real_max(real_abs(v.y), real_abs(v.z)));

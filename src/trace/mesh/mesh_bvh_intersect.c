@@ -210,32 +210,24 @@ typedef struct SplatRay {
     int axes[3];    /**< The axes of the shear, the dominant one last. */
 } SplatRay;
 
-/** @return The dominant axis of a ray, by the same rule as #ray_dominant_axes. */
-INLINE int ray_dominant_axis(const Vec3 *direction, int lane) {
-    scalar x = scalar_abs(real_at(&direction->x, lane)),
-           y = scalar_abs(real_at(&direction->y, lane)),
-           z = scalar_abs(real_at(&direction->z, lane));
-    return z >= x && z >= y ? 2 : x >= y ? 0 : 1;
-}
-
-/** @return A coordinate. @param axis 0: x, 1: y, 2: z; no branch depends on it. */
-INLINE const real *vec3_axis(const Vec3 *v, int axis) {
-    return &v->x + axis;
+/** @return One lane of vectors in all lanes, with permuted axes. */
+INLINE Vec3 vec3_splat_axes(const Vec3 *v, const int axes[3], int lane) {
+    return (Vec3){real_of(real_at(vec3_axis(v, axes[0]), lane)),
+                  real_of(real_at(vec3_axis(v, axes[1]), lane)),
+                  real_of(real_at(vec3_axis(v, axes[2]), lane))};
 }
 
 /** @return The ray of a lane. */
 INLINE SplatRay ray_splat_lane(const Ray *rays, int lane) {
-    const Vec3 *d = &rays->direction, *inverse = &rays->inverse_direction;
+    const Vec3 *o = &rays->origin, *d = &rays->direction, *inverse = &rays->inverse_direction;
     const int z = ray_dominant_axis(d, lane), x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
-    SplatRay splat = {{vec3_splat_lane(&rays->origin, lane), vec3_splat_lane(d, lane),
-                       vec3_splat_lane(inverse, lane)},
-                      .axes = {x, y, z}};
-    scalar per_depth = real_at(vec3_axis(inverse, z), lane);
-    splat.shear = (RayShear){{real_of(real_at(vec3_axis(&rays->origin, x), lane)),
-                              real_of(real_at(vec3_axis(&rays->origin, y), lane)),
-                              real_of(real_at(vec3_axis(&rays->origin, z), lane))},
-                             real_of(real_at(vec3_axis(d, x), lane) * per_depth),
-                             real_of(real_at(vec3_axis(d, y), lane) * per_depth)};
+    SplatRay splat = {
+        {vec3_splat_lane(o, lane), vec3_splat_lane(d, lane), vec3_splat_lane(inverse, lane)},
+        .axes = {x, y, z}};
+    const Ray permuted = {vec3_splat_axes(o, splat.axes, lane),
+                          vec3_splat_axes(d, splat.axes, lane),
+                          vec3_splat_axes(inverse, splat.axes, lane)};
+    splat.shear = ray_shear_of(&permuted, 2);
     return splat;
 }
 

@@ -128,6 +128,14 @@ INLINE DominantAxes ray_dominant_axes(const Ray *ray, mask active) {
     return (DominantAxes){along_x, active & mask_not(along_x | along_z), along_z};
 }
 
+/** @return The dominant axis of a direction, by the same rule as ray_dominant_axes(). */
+INLINE int ray_dominant_axis(const Vec3 *direction, int lane) {
+    scalar x = scalar_abs(real_at(&direction->x, lane)),
+           y = scalar_abs(real_at(&direction->y, lane)),
+           z = scalar_abs(real_at(&direction->z, lane));
+    return z >= x && z >= y ? 2 : x >= y ? 0 : 1;
+}
+
 /** @return The lanes whose line passes inside a convex polygon or through its edge. @param count
  *  Number of vertices, 3 or 4. */
 INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *ray, mask active) {

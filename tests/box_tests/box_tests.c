@@ -56,13 +56,15 @@ static const char *check_order(const BvhNode *node, unsigned octant) {
     return seen == (1u << BVH_WIDTH) - 1 ? NULL : "a child is missing";
 }
 
-/** See #BOX_ORDERS. */
-static const char *check_orders(uint64_t seed) {
+/** @return What is wrong with the orders of a tree over boxes; NULL: nothing is. @param is_tied
+ *  Whether the boxes are points at few places, so that many are equally far. */
+static const char *check_orders_of(bool is_tied, uint64_t seed) {
     static Aabbs boxes[BOXES];
     for (int i = 0; i < BOXES; i++) {
         for (int axis = 0; axis < 3; axis++) {
-            boxes[i].low[axis] = random_scalar(&seed);
-            boxes[i].high[axis] = boxes[i].low[axis] + random_scalar(&seed) / 16;
+            scalar place = random_scalar(&seed);
+            boxes[i].low[axis] = is_tied ? (scalar)(int)(3 * place) : place;
+            boxes[i].high[axis] = boxes[i].low[axis] + (is_tied ? 0 : random_scalar(&seed) / 16);
         }
     }
     Bvh bvh = build_tree(boxes);
@@ -74,6 +76,12 @@ static const char *check_orders(uint64_t seed) {
     }
     bvh_deinit(&bvh);
     return fault;
+}
+
+/** See #BOX_ORDERS. */
+static const char *check_orders(uint64_t seed) {
+    const char *fault = check_orders_of(false, seed);
+    return fault ? fault : check_orders_of(true, seed);
 }
 
 #endif

@@ -107,9 +107,19 @@ static void sah_best_split_on_axis(const BvhBuilder *builder, const SahBin *bins
     }
 }
 
-/** @return The best split of a node. */
+/** Finds the boxes of both sides of a split. @param bins Those along its axis. @param count Their
+ *  number. @param[out] sides Left and right. */
+static void sah_split_sides(const SahSplit *split, const SahBin *bins, int count,
+                            BuildAabb sides[2]) {
+    sides[0] = sides[1] = build_aabb_empty();
+    for (int i = 0; i < count; i++) {
+        build_aabb_extend(&sides[i >= split->bin], &bins[i].box);
+    }
+}
+
+/** @return The best split of a node. @param[out] sides The boxes of both sides, if there is one. */
 static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
-                               const SahBinning *binning) {
+                               const SahBinning *binning, BuildAabb sides[2]) {
     SahBin bins[3][SAH_BINS];
     SahSplit best = {.axis = -1, .cost = (build_scalar)INFINITE};
     sah_bins_fill(builder->refs + node->first_ref, node->ref_count, binning, bins);
@@ -117,6 +127,9 @@ static SahSplit sah_best_split(const BvhBuilder *builder, const BuildNode *node,
         if (binning->scale[axis] > 0) {
             sah_best_split_on_axis(builder, bins[axis], binning->bin_count, axis, &best);
         }
+    }
+    if (best.axis >= 0) {
+        sah_split_sides(&best, bins[best.axis], binning->bin_count, sides);
     }
     return best;
 }
@@ -130,95 +143,129 @@ static inline void prim_refs_swap(PrimRef *a, PrimRef *b) {
     *b = other;
 }
 
-/** Moves the items of the left side of a split to the front. @return Their number. */
-static size_t prim_refs_partition(PrimRef *refs, size_t count, const SahBinning *binning,
-                                  const SahSplit *split) {
+/** Both sides of a split. */
+typedef struct SplitSides {
+    size_t left_count;              /**< Number of items on the left; 0: the node is a leaf. */
+    BuildAabb boxes[2];             /**< Bounding boxes, left and right. */
+    BuildAabb doubled_centroids[2]; /**< Boxes of twice the centres of the items. */
+} SplitSides;
+
+/** Moves the items of the left side of a split to the front, and finds the centres of both sides.
+ */
+static void prim_refs_partition(PrimRef *refs, size_t count, const SahBinning *binning,
+                                const SahSplit *split, SplitSides *sides) {
     size_t left = 0;
+    sides->doubled_centroids[0] = sides->doubled_centroids[1] = build_aabb_empty();
     // Every item is swapped, without a branch: the processor could not predict the side.
     for (size_t i = 0; i < count; i++) {
-        bool is_left = sah_bin_index(binning, &refs[i].box, split->axis) < split->bin;
+        bool is_right = sah_bin_index(binning, &refs[i].box, split->axis) >= split->bin;
+        build_aabb_extend_centroid(&sides->doubled_centroids[is_right], &refs[i].box);
         prim_refs_swap(&refs[left], &refs[i]);
-        left += is_left;
+        left += !is_right;
     }
-    return left;
+    sides->left_count = left;
 }
 
-/** Computes the bounding boxes of a node and of its doubled centroids. */
-static void build_node_compute_bounds(const BvhBuilder *builder, BuildNode *node,
-                                      BuildAabb *doubled_centroids) {
-    node->box = *doubled_centroids = build_aabb_empty();
-    for (size_t i = 0; i < node->ref_count; i++) {
-        const BuildAabb *box = &builder->refs[node->first_ref + i].box;
-        build_aabb_extend(&node->box, box);
-        build_aabb_extend_centroid(doubled_centroids, box);
+/** Computes the bounding boxes of items and of their doubled centres. */
+static void prim_refs_compute_bounds(const PrimRef *refs, size_t count, BuildAabb *bounds,
+                                     BuildAabb *doubled_centroids) {
+    *bounds = *doubled_centroids = build_aabb_empty();
+    for (size_t i = 0; i < count; i++) {
+        build_aabb_extend(bounds, &refs[i].box);
+        build_aabb_extend_centroid(doubled_centroids, &refs[i].box);
     }
 }
 
-/**
- * Splits a node by cost, or into halves if there is no such split, or not at all.
- * @param doubled_centroids  Box of the doubled centroids.
- * @param level              Depth of the node.
- * @return Number of items on the left; 0: the node is a leaf.
+/** Splits items into halves, in the order in which they are. */
+static void prim_refs_halve(const PrimRef *refs, size_t count, SplitSides *sides) {
+    size_t half = sides->left_count = count / 2;
+    prim_refs_compute_bounds(refs, half, &sides->boxes[0], &sides->doubled_centroids[0]);
+    prim_refs_compute_bounds(refs + half, count - half, &sides->boxes[1],
+                             &sides->doubled_centroids[1]);
+}
+
+/** Splits the root of a subtree by cost, or into halves if there is no such split, or not at all.
  */
-static size_t build_node_partition(const BvhBuilder *builder, const BuildNode *node,
-                                   const BuildAabb *doubled_centroids, int level) {
-    size_t blocks = block_count_for(builder, node->ref_count);
+static void subtree_split(const BvhBuilder *builder, const Subtree *subtree, SplitSides *sides) {
+    const BuildNode *node = &builder->nodes[subtree->root];
+    PrimRef *refs = builder->refs + node->first_ref;
+    size_t count = node->ref_count, blocks = block_count_for(builder, count);
+    sides->left_count = 0;
     if (blocks == 1) {
-        return 0;
+        return;
     }
-    SahBinning binning = sah_binning_of(doubled_centroids, node->ref_count);
+    SahBinning binning = sah_binning_of(&subtree->doubled_centroids, count);
     SahSplit split = {.axis = -1};
-    if (level < SAH_MAX_DEPTH) {
-        split = sah_best_split(builder, node, &binning);
+    if (subtree->depth < SAH_MAX_DEPTH) {
+        split = sah_best_split(builder, node, &binning, sides->boxes);
     }
-    if (split.axis >= 0) {
-        build_scalar area = build_aabb_half_area(&node->box);
-        bool is_leaf = blocks <= BVH_LEAF_MAX_BLOCKS &&
-                       area * (build_scalar)blocks <= area * SAH_NODE_COST + split.cost;
-        return is_leaf ? 0
-                       : prim_refs_partition(builder->refs + node->first_ref, node->ref_count,
-                                             &binning, &split);
+    build_scalar area = build_aabb_half_area(&node->box);
+    bool may_be_leaf = blocks <= BVH_LEAF_MAX_BLOCKS;
+    if (split.axis < 0 && !may_be_leaf) {
+        prim_refs_halve(refs, count, sides);
+    } else if (split.axis >= 0 &&
+               !(may_be_leaf && area * (build_scalar)blocks <= area * SAH_NODE_COST + split.cost)) {
+        prim_refs_partition(refs, count, &binning, &split, sides);
     }
-    return blocks <= BVH_LEAF_MAX_BLOCKS ? 0 : node->ref_count / 2;
+}
+
+/** Defers a subtree to a task, if it is small enough. @param[in,out] next_node The first free node.
+ *  @return Whether it is. */
+static bool subtree_defer(BvhBuilder *builder, const Subtree *subtree, uint32_t *next_node) {
+    uint32_t count = builder->nodes[subtree->root].ref_count;
+    if (count > builder->task_max_items || builder->task_count == builder->task_capacity) {
+        return false;
+    }
+    builder->tasks[builder->task_count++] = (SubtreeTask){*subtree, *next_node};
+    *next_node += 2 * (count - 1);
+    return true;
 }
 
 /**
- * Builds the subtree of a node.
- * @param node_index    The node; its range of references is set.
- * @param level         Depth of the node.
- * @param defers_tasks  Whether subtrees of at most #BvhBuilder.task_max_items become tasks.
+ * Builds a subtree.
+ * @param[in,out] next_node  The first free node.
+ * @param defers_tasks       Whether subtrees of at most #BvhBuilder.task_max_items become tasks.
  */
-static void build_node_build(BvhBuilder *builder, uint32_t node_index, int level,
-                             bool defers_tasks) {
-    BuildNode *node = &builder->nodes[node_index];
-    if (defers_tasks && node->ref_count <= builder->task_max_items &&
-        builder->task_count < builder->task_capacity) {
-        builder->tasks[builder->task_count++] = (SubtreeTask){node_index, level};
+static void subtree_build(BvhBuilder *builder, const Subtree *subtree, uint32_t *next_node,
+                          bool defers_tasks) {
+    SplitSides sides;
+    if (defers_tasks && subtree_defer(builder, subtree, next_node)) {
         return;
     }
-    BuildAabb doubled_centroids;
-    build_node_compute_bounds(builder, node, &doubled_centroids);
-    size_t left = build_node_partition(builder, node, &doubled_centroids, level);
-    if (left == 0) {
+    BuildNode *node = &builder->nodes[subtree->root];
+    node->left_child = 0;
+    subtree_split(builder, subtree, &sides);
+    if (sides.left_count == 0) {
         return;
     }
-    node->right_child = node_index + 2 * (uint32_t)left;
-    builder->nodes[node_index + 1] =
-        (BuildNode){.first_ref = node->first_ref, .ref_count = (uint32_t)left};
-    builder->nodes[node->right_child] = (BuildNode){.first_ref = node->first_ref + (uint32_t)left,
-                                                    .ref_count = node->ref_count - (uint32_t)left};
-    build_node_build(builder, node_index + 1, level + 1, defers_tasks);
-    build_node_build(builder, node->right_child, level + 1, defers_tasks);
+    uint32_t left_count = (uint32_t)sides.left_count;
+    node->left_child = *next_node;
+    *next_node += 2;
+    BuildNode *children = &builder->nodes[node->left_child];
+    children[0] = (BuildNode){sides.boxes[0], node->first_ref, left_count, 0};
+    children[1] =
+        (BuildNode){sides.boxes[1], node->first_ref + left_count, node->ref_count - left_count, 0};
+    for (uint32_t i = 0; i < 2; i++) {
+        const Subtree child = {node->left_child + i, subtree->depth + 1,
+                               sides.doubled_centroids[i]};
+        subtree_build(builder, &child, next_node, defers_tasks);
+    }
 }
 
 /** Builds the subtree of a task. See #ParallelFor.run. */
 static void subtree_task_run(void *context, size_t index) {
     BvhBuilder *builder = context;
-    build_node_build(builder, builder->tasks[index].node, builder->tasks[index].depth, false);
+    const SubtreeTask *task = &builder->tasks[index];
+    uint32_t next_node = task->first_node;
+    subtree_build(builder, &task->subtree, &next_node, false);
 }
 
 void bvh_build_binary(BvhBuilder *builder, size_t count, const ParallelFor *parallel_for) {
-    builder->nodes[0] = (BuildNode){.ref_count = (uint32_t)count};
-    build_node_build(builder, 0, 0, true);
+    Subtree whole = {.root = 0};
+    BuildNode *root = &builder->nodes[0];
+    *root = (BuildNode){.ref_count = (uint32_t)count};
+    prim_refs_compute_bounds(builder->refs, count, &root->box, &whole.doubled_centroids);
+    uint32_t next_node = 1;
+    subtree_build(builder, &whole, &next_node, true);
     parallel_for_run(parallel_for, builder->task_count, subtree_task_run, builder);
 }

@@ -14,24 +14,32 @@ typedef struct PrimRef {
     uint32_t item; /**< Index of the item. */
 } PrimRef;
 
-/** A node of the binary tree. The left child is the next node. */
+/** A node of the binary tree. */
 typedef struct BuildNode {
-    BuildAabb box;        /**< Bounding box of all its items. */
-    uint32_t first_ref;   /**< First reference. */
-    uint32_t ref_count;   /**< Number of references. */
-    uint32_t right_child; /**< Index of the right child; 0: this is a leaf. */
+    BuildAabb box;       /**< Bounding box of all its items. */
+    uint32_t first_ref;  /**< First reference. */
+    uint32_t ref_count;  /**< Number of references. */
+    uint32_t left_child; /**< Index of the left child, before the right one; 0: this is a leaf. */
 } BuildNode;
+
+/** A subtree that is not built yet. */
+typedef struct Subtree {
+    uint32_t root;               /**< Index of its root, whose box and references are set. */
+    int depth;                   /**< Depth of its root. */
+    BuildAabb doubled_centroids; /**< Box of twice the centres of its items. */
+} Subtree;
 
 /** A subtree that a thread will build. */
 typedef struct SubtreeTask {
-    uint32_t node; /**< Index of its root. */
-    int depth;     /**< Depth of its root. */
+    Subtree subtree;     /**< The subtree. */
+    uint32_t first_node; /**< First of the nodes that it has for itself. */
 } SubtreeTask;
 
 /** State of the construction. */
 typedef struct BvhBuilder {
     PrimRef *refs;         /**< The items, in the order of the leaves; owned. */
-    BuildNode *nodes;      /**< The binary tree: 2 n - 1 nodes for a subtree of n items; owned. */
+    BuildNode *nodes;      /**< The binary tree, the root first: at most 2 n - 1 nodes for n items;
+                                owned. */
     SubtreeTask *tasks;    /**< Subtrees for the threads; owned. */
     size_t task_count;     /**< Number of #tasks. */
     size_t task_capacity;  /**< Largest number of #tasks. */

@@ -38,7 +38,7 @@ static const char *check_order(const BvhNode *node, unsigned octant) {
     unsigned seen = 0;
     scalar last = INFINITE;
     for (int place = 0; place < BVH_WIDTH; place++) {
-        const int child = node->orders[octant][place];
+        const int child = lane_order_at(node->orders[octant], place);
         scalar advance = 0;
         bool is_there = true;
         for (int axis = 0; axis < 3; axis++) {

@@ -14,6 +14,7 @@
 #define DIOPTRE_TRACE_BVH_BVH_H
 
 #include "trace/bvh/slab.h"
+#include "trace/math/columns.h"
 
 /** Runs tasks 0 to count - 1, in parallel if the renderer has supplied threads. */
 static inline void parallel_for_run(const ParallelFor *parallel_for, size_t count,
@@ -60,7 +61,7 @@ typedef struct BvhNode {
     uint32_t children[BVH_WIDTH];  /**< Indices of nodes, or #BVH_LEAF_BIT and blocks. */
 #if BVH_HAS_ORDERS
     /** Per octant of a direction, the children from far to near. */
-    uint8_t orders[DIRECTION_OCTANTS][BVH_WIDTH];
+    lane_order orders[DIRECTION_OCTANTS];
 #endif
 } BvhNode;
 

@@ -136,16 +136,19 @@ static void child_advances_rank(const build_scalar *advances, int32_t *places) {
  *  opposite octant meet them the other way. @param octant One of the first half. */
 static void bvh_node_sort_octant(BvhNode *node, const BvhBuilder *builder,
                                  const CollapsedChildren *children, unsigned octant) {
-    uint8_t *order = node->orders[octant], *opposite = node->orders[DIRECTION_OCTANTS - 1 - octant];
+    lane_order order = 0, opposite = 0;
     build_scalar advances[BVH_WIDTH];
     int32_t places[BVH_WIDTH];
     child_advances_find(builder, children, octant, advances);
     child_advances_rank(advances, places);
     for (int i = 0; i < BVH_WIDTH; i++) {
         int place = places[i];
-        order[place] = (uint8_t)i;
-        opposite[i < children->count ? children->count - 1 - place : place] = (uint8_t)i;
+        order = lane_order_with(order, place, i);
+        opposite =
+            lane_order_with(opposite, i < children->count ? children->count - 1 - place : place, i);
     }
+    node->orders[octant] = order;
+    node->orders[DIRECTION_OCTANTS - 1 - octant] = opposite;
 }
 
 #endif

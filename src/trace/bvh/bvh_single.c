@@ -7,7 +7,6 @@
  * All boxes of a node are tested at once against one ray.
  */
 #include "trace/bvh/bvh.h"
-#include "trace/math/columns.h"
 
 /** Number of interleaved rays: more gain nothing (measured on a mesh larger than all caches). */
 enum { RAYS_IN_FLIGHT = 8 };
@@ -86,7 +85,7 @@ INLINE mask single_traversal_meets(const SingleTraversal *traversal, const BvhNo
  *  it (Fuetterling and others, *Accelerated Single Ray Tracing for Wide Vector Units*, 2017). */
 static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNode *node) {
     const real none = real_of(-1);
-    const uint8_t *order = node->orders[traversal->octant];
+    integer order = lane_order_unpack(node->orders[traversal->octant]);
     SingleStack *stack = &traversal->stack;
     real near;
     mask meets = single_traversal_meets(traversal, node, 0, &near);

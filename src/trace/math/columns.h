@@ -74,16 +74,57 @@ INLINE void integer_compress(integer_scalar *to, integer x, unsigned bits) {
 #endif
 }
 
+/** @return The numbers of the lanes: 0, 1, 2 and so on. */
+INLINE integer lane_numbers(void) {
+    integer numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        integer_set_lane(&numbers, i, i);
+    }
+    return numbers;
+}
+
 #ifdef LANES_PERMUTE
-/** @return Lane order[i] of x in lane i. */
-INLINE real real_permute(real x, const uint8_t order[LANES]) {
-    return LANES_PERMUTE(x, order);
+
+#if LANES == 16
+/** An order of lanes: four bits per place. */
+typedef uint64_t lane_order;
+#else
+/** An order of lanes: four bits per place. */
+typedef uint32_t lane_order;
+#endif
+
+/** @return The lowest bit of a place in an order. 64 bits fill two lanes of a vector: one half has
+ *          the even places, the other one the odd ones. */
+INLINE int lane_order_shift(int place) {
+    return LANES == 16 ? place % 2 * 32 + place / 2 * 4 : place * 4;
+}
+
+/** @return An order with a lane at a place that was 0. */
+INLINE lane_order lane_order_with(lane_order order, int place, int lane) {
+    return order | (lane_order)lane << lane_order_shift(place);
+}
+
+/** @return The lane at a place. */
+INLINE int lane_order_at(lane_order order, int place) {
+    return (int)(order >> lane_order_shift(place) & 15);
+}
+
+/** @return The lanes of an order, as real_permute() reads them: with further bits above. */
+INLINE integer lane_order_unpack(lane_order order) {
+    integer shifts = (LANES == 16 ? lane_numbers() >> 1 : lane_numbers()) * 4;
+    return LANES_SHIFT_RIGHT(LANES_OF_BITS(order), shifts);
+}
+
+/** @return Lane lanes[i] of x in lane i. @param lanes See lane_order_unpack(). */
+INLINE real real_permute(real x, integer lanes) {
+    return LANES_PERMUTE(x, lanes);
 }
 
 /** See real_permute(). */
-INLINE integer integer_permute(integer x, const uint8_t order[LANES]) {
-    return (integer)LANES_PERMUTE((real)x, order);
+INLINE integer integer_permute(integer x, integer lanes) {
+    return (integer)LANES_PERMUTE((real)x, lanes);
 }
+
 #endif
 
 /** @return LANES wide numbers of a column. */
@@ -110,15 +151,6 @@ INLINE void wide_compress(wide_scalar *to, const wide *x, unsigned bits) {
 /** @return LANES vectors of three columns. */
 INLINE Vec3 vec3_load(const scalar *x, const scalar *y, const scalar *z) {
     return (Vec3){real_load(x), real_load(y), real_load(z)};
-}
-
-/** @return The numbers of the lanes: 0, 1, 2 and so on. */
-INLINE integer lane_numbers(void) {
-    integer numbers = {0};
-    for (int i = 0; i < LANES; i++) {
-        integer_set_lane(&numbers, i, i);
-    }
-    return numbers;
 }
 
 #endif

@@ -29,11 +29,12 @@
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits)                                                                \
     _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)(bits), (__m512)(x)))
-/** Lane order[i] of x in lane i. @param order LANES bytes at an address. */
-#define LANES_PERMUTE(x, order)                                                                    \
-    (real) _mm512_permutexvar_ps(                                                                  \
-        _mm512_cvtepu8_epi32(_mm_loadu_si128((const __m128i *)(const void *)(order))),             \
-        (__m512)(x))
+/** Lane places[i] of x in lane i; of these numbers the lowest four bits count. */
+#define LANES_PERMUTE(x, places) (real) _mm512_permutexvar_ps((__m512i)(places), (__m512)(x))
+/** 64 bits in each pair of lanes. */
+#define LANES_OF_BITS(bits) (integer) _mm512_set1_epi64((long long)(bits))
+/** Lane i of x shifted to the right by lane i of counts, with zeros. */
+#define LANES_SHIFT_RIGHT(x, counts) (integer) _mm512_srlv_epi32((__m512i)(x), (__m512i)(counts))
 /** LANES_COMPRESS for eight of the next wider numbers, at x. */
 #define LANES_COMPRESS_HALF(to, x, bits)                                                           \
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd((__mmask8)(bits), _mm512_loadu_pd(x)))
@@ -66,10 +67,12 @@ static inline __attribute__((always_inline)) void lanes_compress(float *to, __m2
 }
 /** Stores the lanes of x whose bits are set, one after another, and writes over what follows. */
 #define LANES_COMPRESS(to, x, bits) lanes_compress(to, (__m256)(x), bits)
-/** Lane order[i] of x in lane i. @param order LANES bytes at an address. */
-#define LANES_PERMUTE(x, order)                                                                    \
-    (real) _mm256_permutevar8x32_ps((__m256)(x),                                                   \
-                                    _mm256_cvtepu8_epi32(_mm_loadu_si64((const void *)(order))))
+/** Lane places[i] of x in lane i; of these numbers the lowest three bits count. */
+#define LANES_PERMUTE(x, places) (real) _mm256_permutevar8x32_ps((__m256)(x), (__m256i)(places))
+/** 32 bits in each lane. */
+#define LANES_OF_BITS(bits) (integer) _mm256_set1_epi32((int)(bits))
+/** Lane i of x shifted to the right by lane i of counts, with zeros. */
+#define LANES_SHIFT_RIGHT(x, counts) (integer) _mm256_srlv_epi32((__m256i)(x), (__m256i)(counts))
 /** #lanes_compress for four of the next wider numbers. @param bits Of these four. */
 static inline __attribute__((always_inline)) void lanes_compress_wide(double *to, __m256d x,
                                                                       unsigned bits) {

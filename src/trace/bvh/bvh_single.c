@@ -89,7 +89,8 @@ static void single_traversal_visit_node(SingleTraversal *traversal, const BvhNod
     SingleStack *stack = &traversal->stack;
     real near;
     mask meets = single_traversal_meets(traversal, node, 0, &near);
-    near = real_permute(real_select(meets, near, none), order);
+    near = real_select(meets, near, none);
+    near = real_permute(&near, order);
     integer children = integer_load((const integer_scalar *)(const void *)node->children);
     unsigned bits = real_less_equal_bits(real_of(0), near);
     real_compress(stack->near + traversal->stack_size, near, bits);

@@ -84,7 +84,6 @@ INLINE integer lane_numbers(void) {
 }
 
 #ifdef LANES_PERMUTE
-
 #if LANES == 16
 /** An order of lanes: four bits per place. */
 typedef uint64_t lane_order;
@@ -115,17 +114,43 @@ INLINE integer lane_order_unpack(lane_order order) {
     return LANES_SHIFT_RIGHT(LANES_OF_BITS(order), shifts);
 }
 
-/** @return Lane lanes[i] of x in lane i. @param lanes See lane_order_unpack(). */
-INLINE real real_permute(real x, integer lanes) {
-    return LANES_PERMUTE(x, lanes);
-}
-
 /** See real_permute(). */
 INLINE integer integer_permute(integer x, integer lanes) {
-    return (integer)LANES_PERMUTE((real)x, lanes);
+    return (integer)LANES_PERMUTE(x, lanes);
 }
 
 #endif
+
+/** @return Lane lanes[i] of numbers in memory in lane i; where no instruction permutes lanes, all
+ *          lanes[i] must be the same. */
+INLINE real real_permute(const real *x, integer lanes) {
+#ifdef LANES_PERMUTE
+    return LANES_PERMUTE(*x, lanes);
+#else
+    return real_of(real_at(x, integer_lane(lanes, 0)));
+#endif
+}
+
+#ifdef LANES_PERMUTE_HALVES
+/** Whether wide_permute() takes any lanes. */
+#define HAS_WIDE_PERMUTE 1
+#else
+/** Whether wide_permute() takes any lanes. */
+#define HAS_WIDE_PERMUTE 0
+#endif
+
+/** See real_permute(); if not #HAS_WIDE_PERMUTE, all lanes[i] must be the same. */
+INLINE wide wide_permute(const wide *x, integer lanes) {
+#ifdef LANES_PERMUTE_HALVES
+    const WideHalves from = {*x};
+    WideHalves to;
+    to.halves[0] = LANES_PERMUTE_HALVES(from.halves[0], from.halves[1], LANES_HALF(lanes, 0));
+    to.halves[1] = LANES_PERMUTE_HALVES(from.halves[0], from.halves[1], LANES_HALF(lanes, 1));
+    return to.whole;
+#else
+    return wide_of(wide_at(x, integer_lane(lanes, 0)));
+#endif
+}
 
 /** @return LANES wide numbers of a column. */
 INLINE wide wide_load(const wide_scalar *from) {

@@ -31,6 +31,13 @@
     _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)(bits), (__m512)(x)))
 /** Lane places[i] of x in lane i; of these numbers the lowest four bits count. */
 #define LANES_PERMUTE(x, places) (real) _mm512_permutexvar_ps((__m512i)(places), (__m512)(x))
+/** Half i of the lanes of a vector of integers. */
+#define LANES_HALF(x, i)                                                                           \
+    ((i) ? _mm512_extracti64x4_epi64((__m512i)(x), 1) : _mm512_castsi512_si256((__m512i)(x)))
+/** Eight of the next wider numbers of two halves. @param places Which of the 16: half a vector. */
+#define LANES_PERMUTE_HALVES(low, high, places)                                                    \
+    (half_wide)                                                                                    \
+        _mm512_permutex2var_pd((__m512d)(low), _mm512_cvtepi32_epi64(places), (__m512d)(high))
 /** 64 bits in each pair of lanes. */
 #define LANES_OF_BITS(bits) (integer) _mm512_set1_epi64((long long)(bits))
 /** Lane i of x shifted to the right by lane i of counts, with zeros. */

@@ -46,21 +46,25 @@ INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
 
 /* --- a vector of rays with one triangle ------------------------------------------------------ */
 
+/** @return The triangle of a slot, in the order of the mesh. */
+INLINE uint32_t mesh_bvh_slot_triangle(const MeshBvh *mesh_bvh, int slot) {
+    return mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
+}
+
 /**
  * @return The lanes in which a triangle is nearer, or as near and earlier in the mesh.
  * @param met    The lanes that meet it.
+ * @param slots  Slots of the triangles.
  * @param limit  Distances of the nearest hits so far.
- * @param slots  Slots of the nearest hits so far.
+ * @param nearest  Slots of the nearest hits so far.
  */
-INLINE mask triangle_slot_is_nearer(const MeshBvh *mesh_bvh, mask met, real distance, size_t slot,
-                                    real limit, const integer *slots) {
+INLINE mask triangle_slots_are_nearer(const MeshBvh *mesh_bvh, mask met, real distance,
+                                      const integer *slots, real limit, const integer *nearest) {
     mask nearer = met & (distance < limit), tie = met & (distance == limit);
-    uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
     while (any(tie)) {
-        int lane = mask_first(tie);
-        int other = integer_at(slots, lane);
-        bool is_first =
-            other < 0 || triangle < mesh_bvh->blocks[other / LANES].triangle_ids[other % LANES];
+        int lane = mask_first(tie), other = integer_at(nearest, lane);
+        bool is_first = other < 0 || mesh_bvh_slot_triangle(mesh_bvh, integer_at(slots, lane)) <
+                                         mesh_bvh_slot_triangle(mesh_bvh, other);
         mask_set_lane(&nearer, lane, is_first);
         mask_set_lane(&tie, lane, false);
     }
@@ -95,36 +99,6 @@ static const PacketIntervals *ray_vector_intervals(const BvhLeafRays *rays, Mesh
     return intervals;
 }
 
-/** @return The distances at which rays cross the plane of a triangle. @param normals Normals of the
- *  block. */
-INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3w *normals,
-                                          int lane, const Ray *ray) {
-    Vec3w normal = {wide_of(wide_at(&normals->x, lane)), wide_of(wide_at(&normals->y, lane)),
-                    wide_of(wide_at(&normals->z, lane))};
-    return ray_plane_distance(normal, vec3_widen(triangle_block_corner(block, 0, lane)), ray);
-}
-
-/** Updates the nearest hits with a triangle. @param inside The lanes whose ray passes inside its
- *  edges. */
-static void mesh_bvh_accept_triangle(const MeshBvh *mesh_bvh, size_t b, int lane,
-                                     const BvhLeafRays *rays, mask inside, MeshBvhHits *hits) {
-    const Ray *ray = &rays->packet->rays[rays->vector];
-    real near, *limit = &rays->limits[rays->vector];
-    Aabb box = aabb_splat_lane(triangle_block_boxes(mesh_bvh, b, hits), lane);
-    inside &= slab_intersects(ray, &box, *limit, &near);
-    if (any(inside)) {
-        real distance = triangle_block_plane_distance(
-            &mesh_bvh->blocks[b], triangle_block_normals(mesh_bvh, b, hits), lane, ray);
-        inside &= distance > 0;
-        distance = real_max(distance, near);
-        size_t slot = b * LANES + (size_t)lane;
-        integer *slots = &hits->slots[rays->vector];
-        mask nearer = triangle_slot_is_nearer(mesh_bvh, inside, distance, slot, *limit, slots);
-        *limit = real_select(nearer, distance, *limit);
-        *slots = integer_select(nearer, integer_of((int)slot), *slots);
-    }
-}
-
 /** The rays that pass inside the edges of the triangles of a block. */
 typedef struct TriangleBlockInside {
     unsigned triangle_bits;   /**< Bit i: some ray passes inside triangle i. */
@@ -155,17 +129,85 @@ INLINE TriangleBlockInside triangle_block_inside(const TriangleBlock *block, uns
     return inside;
 }
 
-/** Intersects the rays with one dominant axis with the triangles of a block, one by one. */
+/** Triangles of a block, one per ray. */
+typedef struct DealtTriangles {
+    unsigned ray_bits; /**< Bit i: ray i has one. */
+    integer lanes;     /**< Their lanes in the block. */
+} DealtTriangles;
+
+/** @return Triangles that are left, one for each ray that passes inside of any: their distances,
+ *          each a division of wide numbers, are found at once. All rays get the same triangle if
+ *          not #HAS_WIDE_PERMUTE. @param[in,out] inside Those that are left. */
+INLINE DealtTriangles triangle_block_deal(TriangleBlockInside *inside) {
+    DealtTriangles dealt = {0, integer_of(__builtin_ctz(inside->triangle_bits))};
+    for (unsigned left = inside->triangle_bits; left; left &= left - 1) {
+        int lane = __builtin_ctz(left);
+        unsigned bits = inside->ray_bits[lane] & ~dealt.ray_bits;
+        dealt.lanes = integer_select(mask_of_bits(bits), integer_of(lane), dealt.lanes);
+        dealt.ray_bits |= bits;
+        inside->ray_bits[lane] = (uint16_t)(inside->ray_bits[lane] & ~bits);
+        inside->triangle_bits &= ~((unsigned)(inside->ray_bits[lane] == 0) << lane);
+        if (!HAS_WIDE_PERMUTE) {
+            break;
+        }
+    }
+    return dealt;
+}
+
+/** @return The boxes of triangles of a block. @param lanes Their lanes. */
+INLINE Aabb aabb_permute(const Aabb *boxes, integer lanes) {
+    Aabb permuted;
+    for (int i = 0; i < 6; i++) {
+        permuted.planes[i] = real_permute(&boxes->planes[i], lanes);
+    }
+    return permuted;
+}
+
+/** @return The distances at which rays cross the planes of triangles of a block. @param normals
+ *  Those of the block. @param lanes The lanes of the triangles. */
+INLINE real triangle_block_plane_distance(const TriangleBlock *block, const Vec3w *normals,
+                                          integer lanes, const Ray *ray) {
+    const Vec3 *corners = &block->corners[0];
+    Vec3w normal = {wide_permute(&normals->x, lanes), wide_permute(&normals->y, lanes),
+                    wide_permute(&normals->z, lanes)};
+    Vec3 corner = {real_permute(&corners->x, lanes), real_permute(&corners->y, lanes),
+                   real_permute(&corners->z, lanes)};
+    return ray_plane_distance(normal, vec3_widen(corner), ray);
+}
+
+/** Updates the nearest hits with triangles of a block, inside of whose edges the rays pass. */
+INLINE void mesh_bvh_accept_triangles(const MeshBvh *mesh_bvh, size_t b,
+                                      const DealtTriangles *triangles, const BvhLeafRays *rays,
+                                      MeshBvhHits *hits) {
+    const Ray *ray = &rays->packet->rays[rays->vector];
+    const integer lanes = triangles->lanes;
+    real near, *limit = &rays->limits[rays->vector];
+    Aabb boxes = aabb_permute(triangle_block_boxes(mesh_bvh, b, hits), lanes);
+    mask inside = mask_of_bits(triangles->ray_bits) & slab_intersects(ray, &boxes, *limit, &near);
+    if (any(inside)) {
+        real distance = triangle_block_plane_distance(
+            &mesh_bvh->blocks[b], triangle_block_normals(mesh_bvh, b, hits), lanes, ray);
+        inside &= distance > 0;
+        distance = real_max(distance, near);
+        integer new_slots = integer_of((int)(b * LANES)) + lanes;
+        integer *slots = &hits->slots[rays->vector];
+        mask nearer =
+            triangle_slots_are_nearer(mesh_bvh, inside, distance, &new_slots, *limit, slots);
+        *limit = real_select(nearer, distance, *limit);
+        *slots = integer_select(nearer, new_slots, *slots);
+    }
+}
+
+/** Intersects the rays with one dominant axis with the triangles of a block. */
 INLINE void triangle_block_intersect_along(const MeshBvh *mesh_bvh, size_t b, unsigned triangles,
                                            const BvhLeafRays *rays, int axis, mask active,
                                            MeshBvhHits *hits) {
     const Ray *ray = &rays->packet->rays[rays->vector];
-    TriangleBlockInside inside =
-        triangle_block_inside(&mesh_bvh->blocks[b], triangles, ray, axis, active);
-    for (unsigned left = inside.triangle_bits; left; left &= left - 1) {
-        int lane = __builtin_ctz(left);
-        mesh_bvh_accept_triangle(mesh_bvh, b, lane, rays, mask_of_bits(inside.ray_bits[lane]),
-                                 hits);
+    const TriangleBlock *block = &mesh_bvh->blocks[b];
+    TriangleBlockInside inside = triangle_block_inside(block, triangles, ray, axis, active);
+    while (inside.triangle_bits) {
+        DealtTriangles dealt = triangle_block_deal(&inside);
+        mesh_bvh_accept_triangles(mesh_bvh, b, &dealt, rays, hits);
     }
 }
 
@@ -282,10 +324,8 @@ typedef struct ClosestTriangle {
 /** Updates the nearest hit with a triangle. */
 INLINE void closest_triangle_update(const MeshBvh *mesh_bvh, int slot, scalar distance,
                                     ClosestTriangle *best) {
-    uint32_t triangle = mesh_bvh->blocks[slot / LANES].triangle_ids[slot % LANES];
-    bool is_first =
-        best->slot < 0 ||
-        triangle < mesh_bvh->blocks[best->slot / LANES].triangle_ids[best->slot % LANES];
+    bool is_first = best->slot < 0 || mesh_bvh_slot_triangle(mesh_bvh, slot) <
+                                          mesh_bvh_slot_triangle(mesh_bvh, best->slot);
     if (distance < best->distance || (distance == best->distance && is_first)) {
         *best = (ClosestTriangle){distance, slot};
     }

@@ -2,9 +2,10 @@
  * @file
  * @brief Intersection of rays with the triangles of a mesh.
  *
- * A vector of rays is tested with the triangles of a block one by one; a single ray with all of
- * them at once. Both do the same operations in the same order.
+ * A vector of rays is tested with the edges of the triangles of a block one by one; a single ray
+ * with all of them at once. Both do the same operations in the same order.
  */
+#include "trace/math/columns.h"
 #include "trace/mesh/mesh_bvh_hit.h"
 #include "trace/mesh/triangle_pack.h"
 
@@ -44,7 +45,7 @@ INLINE Vec3 triangle_block_corner(const TriangleBlock *block, int i, int lane) {
                   real_of(real_at(&corners->z, lane))};
 }
 
-/* --- a vector of rays with one triangle ------------------------------------------------------ */
+/* --- a vector of rays with a block of triangles ---------------------------------------------- */
 
 /** @return The triangle of a slot, in the order of the mesh. */
 INLINE uint32_t mesh_bvh_slot_triangle(const MeshBvh *mesh_bvh, int slot) {

@@ -215,6 +215,16 @@ static void test_selected_first(void **state) {
     browser_select_current(browser);
     assert_true(browser->has_selection);
     assert_int_equal(browser->selected, 0);
+    // A Tab that comes before the selection goes to the lessons, too.
+    assert_true(browser_open(browser, &settings, 0, path));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    assert_false(browser->has_selection);
+    browser_key(browser, SDLK_TAB);
+    assert_false(browser->has_selection);
+    browser_select_current(browser);
+    assert_int_equal(browser->selected, 0);
     browser_deinit(browser);
     free(browser);
 }

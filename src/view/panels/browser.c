@@ -257,7 +257,10 @@ BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
             select_position(browser, &order, moves[i].position);
         }
     }
-    if (key == SDLK_TAB) {
+    if (key == SDLK_TAB && !browser->has_selection) {
+        // While the list is being filled, the other part is what will be selected.
+        browser->begins_at_top = !browser->begins_at_top;
+    } else if (key == SDLK_TAB) {
         browser_go_to(browser, browser_part(browser, &order) == BROWSER_LESSONS ? BROWSER_SCENES
                                                                                 : BROWSER_LESSONS);
     }

@@ -233,7 +233,6 @@ static void subtree_build(BvhBuilder *builder, const Subtree *subtree, uint32_t 
         return;
     }
     BuildNode *node = &builder->nodes[subtree->root];
-    node->left_child = 0;
     subtree_split(builder, subtree, &sides);
     if (sides.left_count == 0) {
         return;

@@ -14,7 +14,7 @@
 #define DIOPTRE_TRACE_BVH_BVH_H
 
 #include "trace/bvh/slab.h"
-#include "trace/math/columns.h"
+#include "trace/math/permute.h"
 
 /** Runs tasks 0 to count - 1, in parallel if the renderer has supplied threads. */
 static inline void parallel_for_run(const ParallelFor *parallel_for, size_t count,

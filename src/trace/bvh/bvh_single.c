@@ -7,6 +7,7 @@
  * All boxes of a node are tested at once against one ray.
  */
 #include "trace/bvh/bvh.h"
+#include "trace/math/columns.h"
 
 /** Number of interleaved rays: more gain nothing (measured on a mesh larger than all caches). */
 enum { RAYS_IN_FLIGHT = 8 };

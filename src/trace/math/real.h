@@ -182,6 +182,15 @@ INLINE void integer_set_lane(integer *x, int i, int value) {
 #endif
 }
 
+/** @return The numbers of the lanes: 0, 1, 2 and so on. */
+INLINE integer lane_numbers(void) {
+    integer numbers = {0};
+    for (int i = 0; i < LANES; i++) {
+        integer_set_lane(&numbers, i, i);
+    }
+    return numbers;
+}
+
 /* GCC spreads a scalar over all lanes of the vector that it is combined with. x - 0 is x for every
    x, -0 and NaN included, and is optimized away. */
 

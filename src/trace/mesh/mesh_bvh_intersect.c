@@ -5,7 +5,7 @@
  * A vector of rays is tested with the edges of the triangles of a block one by one; a single ray
  * with all of them at once. Both do the same operations in the same order.
  */
-#include "trace/math/columns.h"
+#include "trace/math/permute.h"
 #include "trace/mesh/mesh_bvh_hit.h"
 #include "trace/mesh/triangle_pack.h"
 

@@ -31,6 +31,15 @@ INLINE real real_load(const scalar *from) {
     return x;
 }
 
+/** @return from[offsets[i]] in lane i, for offsets from 0 to LANES - 1. */
+INLINE real real_gather_near(const scalar *from, integer offsets) {
+#ifdef LANES_PERMUTE
+    return LANES_PERMUTE(real_load(from), offsets);
+#else
+    return real_gather(from, offsets);
+#endif
+}
+
 /** Stores LANES numbers. */
 INLINE void real_store(scalar *to, real x) {
     memcpy(to, &x, sizeof x);

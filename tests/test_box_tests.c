@@ -53,10 +53,16 @@ static void test_intervals(void **state) {
     run_check(BOX_INTERVALS);
 }
 
+/** @param state Not used. */
+static void test_spheres(void **state) {
+    (void)state;
+    run_check(BOX_SPHERES);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orders), cmocka_unit_test(test_row),
-                                       cmocka_unit_test(test_packs),
-                                       cmocka_unit_test(test_intervals)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_orders), cmocka_unit_test(test_row), cmocka_unit_test(test_packs),
+        cmocka_unit_test(test_intervals), cmocka_unit_test(test_spheres)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

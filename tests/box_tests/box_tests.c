@@ -325,6 +325,61 @@ static const char *check_intervals(uint64_t seed) {
     return fault;
 }
 
+/** @return A random vector; its coordinates are -1 to 1. */
+static Vec3s random_vector(uint64_t *seed) {
+    scalar x = 2 * random_scalar(seed) - 1, y = 2 * random_scalar(seed) - 1;
+    return (Vec3s){x, y, 2 * random_scalar(seed) - 1};
+}
+
+/** @return The part of a vector at a right angle to another, of a length. */
+static Vec3s vector_across(Vec3s v, Vec3s other, scalar length) {
+    Vec3s across = vec3s_add(v, vec3s_scale(other, -vec3s_dot(v, other) / vec3s_dot(other, other)));
+    return vec3s_scale(across, length / SCALAR_SQRT(vec3s_dot(across, across)));
+}
+
+/** @return A random beam of one to a thousand pixels. */
+static Beam random_beam(uint64_t *seed) {
+    const scalar pixels = (scalar)(1 << (int)(11 * random_scalar(seed)));
+    Beam beam = {.origin = random_vector(seed), .axis = random_vector(seed)};
+    scalar width = pixels / 8192 * SCALAR_SQRT(vec3s_dot(beam.axis, beam.axis));
+    beam.across = vector_across(random_vector(seed), beam.axis, width);
+    Vec3sw up = vec3sw_cross(vec3s_widen(beam.axis), vec3s_widen(beam.across));
+    beam.up = vector_across(vec3s_narrow(up), beam.axis, width / 2);
+    return beam;
+}
+
+/** @return The centre of a sphere beside a point of a side of a beam. @param distance From the
+ *  side, outwards. */
+static Vec3sw sphere_beside(uint64_t *seed, const Beam *beam, scalar distance) {
+    const bool is_up = random_scalar(seed) < (scalar)0.5;
+    const scalar sign = random_scalar(seed) < (scalar)0.5 ? -1 : 1;
+    Vec3s edge = vec3s_add(beam->axis, vec3s_scale(is_up ? beam->up : beam->across, sign));
+    Vec3s along = vec3s_scale(is_up ? beam->across : beam->up, 2 * random_scalar(seed) - 1);
+    Vec3s point = vec3s_add(
+        beam->origin, vec3s_scale(vec3s_add(edge, along), 8 * (random_scalar(seed) + (scalar)0.1)));
+    Vec3sw normal = vec3sw_cross(vec3s_widen(edge), vec3s_widen(is_up ? beam->across : beam->up));
+    bool is_inwards = vec3sw_dot(normal, vec3s_widen(beam->axis)) > 0;
+    Vec3sw outwards = vec3sw_scale(vec3sw_normalize(normal), is_inwards ? -1 : 1);
+    return vec3sw_add(vec3s_widen(point), vec3sw_scale(outwards, (wide_scalar)distance));
+}
+
+/** See #BOX_SPHERES. */
+static const char *check_spheres(uint64_t seed) {
+    const scalar little = 64 * NARROW_BEAM_SLACK;
+    size_t missed = 0;
+    for (size_t i = 0; i < CASES; i++) {
+        const Beam beam = random_beam(&seed);
+        const wide_scalar radius = (wide_scalar)random_scalar(&seed) + (wide_scalar)0.01;
+        Vec3sw touching = sphere_beside(&seed, &beam, (scalar)radius * (1 - 4 * ROUNDOFF)),
+               beyond = sphere_beside(&seed, &beam, (scalar)radius + little);
+        if (beam_misses_sphere(&beam, touching, radius)) {
+            return "a sphere is missed";
+        }
+        missed += beam_misses_sphere(&beam, beyond, radius);
+    }
+    return missed > CASES / 2 ? NULL : "spheres beside beams are not missed";
+}
+
 #endif
 
 extern const BoxChecks CHECKS;
@@ -337,5 +392,6 @@ const BoxChecks CHECKS = {{
     [BOX_PACKS] = check_packs,
 #else
     [BOX_INTERVALS] = check_intervals,
+    [BOX_SPHERES] = check_spheres,
 #endif
 }};

@@ -61,12 +61,28 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
 
 /** The shapes that the rays of a beam may meet. */
 typedef struct BeamCandidates {
+    int count;            /**< Number of shapes. */
     const Shape *nearest; /**< The one whose box is nearest; NULL: there is none. */
-    scalar next_distance; /**< Lower bound on the distances of all others. */
+    scalar next_distance; /**< Lower bound on the distances of all others; infinite without any. */
 } BeamCandidates;
 
-/** Finds the shapes that the rays of a beam may meet, of a set without BVH. */
+/** @return Whether shape_set_find_in_beam() can be asked: there is no BVH, and each shape lies in
+ *          its box. */
+static inline bool shape_set_is_list(const ShapeSet *set) {
+    return LANES > 1 && !set->bvh.nodes && !set->may_exceed_box;
+}
+
+/** Finds the shapes that the rays of a beam may meet. See shape_set_is_list(). */
 void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found);
+
+/** @return The only shape that the rays of a beam may meet; NULL: none, or several. */
+static inline const Shape *beam_only_shape(const BeamCandidates *candidates) {
+    return candidates->count == 1 ? candidates->nearest : NULL;
+}
+
+/** Finds the shapes that the rays of a part of a beam may meet. @param[in,out] candidates Those of
+ *  the whole beam. @param part The part. */
+void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part, BeamCandidates *candidates);
 
 /**
  * Finds the closest hits of a packet.

@@ -65,6 +65,11 @@ INLINE int candidates_pop_nearest(Candidates *candidates) {
     return best;
 }
 
+/** @return Whether all rays of a beam surely miss a shape. */
+INLINE bool shape_misses(const Shape *shape, const Beam *beam) {
+    return shape->class->misses && shape->class->misses(shape, beam);
+}
+
 /**
  * Intersects a packet with one shape.
  * @param near          Lower bound on its distance.
@@ -76,6 +81,9 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
         return;
     }
     const ShapeClass *class = shape->class;
+    if (packet->has_beam && shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
+        return;
+    }
     if (packet->has_beam && class->covers && class->covers(shape, &packet->beam)) {
         class->covered_hits(shape, packet, hits);
         return;
@@ -290,15 +298,20 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
 void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found) {
     const PacketIntervals intervals = beam_intervals(beam);
     scalar nearest = INFINITE;
-    *found = (BeamCandidates){NULL, INFINITE};
+    *found = (BeamCandidates){0, NULL, INFINITE};
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         Candidates candidates = linear_candidates(set, &intervals, pack);
         for (; candidates.remaining; candidates.remaining &= candidates.remaining - 1) {
             int i = __builtin_ctz(candidates.remaining);
+            const Shape *shape = linear_shape(set, pack, i);
             scalar distance = real_lane(candidates.near, i);
+            if (shape_misses(shape, beam)) {
+                continue;
+            }
+            found->count++;
             if (!found->nearest || distance < nearest) {
                 found->next_distance = found->nearest ? nearest : INFINITE;
-                found->nearest = linear_shape(set, pack, i);
+                found->nearest = shape;
                 nearest = distance;
             } else if (distance < found->next_distance) {
                 found->next_distance = distance;
@@ -307,15 +320,30 @@ void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidate
     }
 }
 
+void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
+                                 BeamCandidates *candidates) {
+    const Shape *only = beam_only_shape(candidates);
+    if (only && only->class->misses) {
+        candidates->count = !shape_misses(only, part);
+        candidates->nearest = candidates->count ? only : NULL;
+    } else if (candidates->count > 0) {
+        shape_set_find_in_beam(set, part, candidates);
+    }
+}
+
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     if (LANES == 1) {
         single_ray_closest_hit(set, packet, hits);
         return;
     }
-    const PacketIntervals intervals = set_intervals(set, packet);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hits[v] = hit_none(packet->limit[v]);
     }
+    if (packet->has_beam && packet->only_shape) {
+        shape_closest_hits(packet->only_shape, 0, packet, hits);
+        return;
+    }
+    const PacketIntervals intervals = set_intervals(set, packet);
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         Candidates candidates = linear_candidates(set, &intervals, pack);
         while (candidates.remaining) {

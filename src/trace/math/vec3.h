@@ -223,6 +223,11 @@ INLINE scalar vec3s_abs_sum(Vec3s v) {
     return scalar_abs(v.x) + scalar_abs(v.y) + scalar_abs(v.z);
 }
 
+/** @return a + b. */
+static inline Vec3sw vec3sw_add(Vec3sw a, Vec3sw b) {
+    return (Vec3sw){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
 /** @return a - b. */
 static inline Vec3sw vec3sw_subtract(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.x - b.x, a.y - b.y, a.z - b.z};
@@ -236,6 +241,11 @@ static inline Vec3sw vec3sw_scale(Vec3sw v, wide_scalar s) {
 /** @return a . b. */
 static inline wide_scalar vec3sw_dot(Vec3sw a, Vec3sw b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+static inline wide_scalar vec3sw_abs_sum(Vec3sw v) {
+    return (v.x < 0 ? -v.x : v.x) + (v.y < 0 ? -v.y : v.y) + (v.z < 0 ? -v.z : v.z);
 }
 
 /** @return a x b. */

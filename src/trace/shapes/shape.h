@@ -117,6 +117,10 @@ typedef struct ShapeClass {
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
+    /** @return Whether all rays of a beam surely miss the shape, also within its bounding box. NULL:
+     *          nobody knows. */
+    bool (*misses)(const Shape *self, const Beam *beam);
+
     /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
      *          #covers and #covered_hits come together. */
     bool (*covers)(const Shape *self, const Beam *beam);

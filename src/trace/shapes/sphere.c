@@ -10,6 +10,7 @@
  */
 #include "trace/math/angle.h"
 #include "trace/shapes/shape.h"
+#include "trace/tracer/packet.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates and of the radius. */
 #define SPHERE_ERROR 8
@@ -111,6 +112,12 @@ static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, 
     return primitive_is_occluding(self, ray, active, limit, sphere_intersect, &roots);
 }
 
+/** See #ShapeClass.misses. */
+static bool sphere_misses(const Shape *self, const Beam *beam) {
+    const Sphere *sphere = (const Sphere *)self;
+    return beam_misses_sphere(beam, sphere->center, sphere->radius);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs sphere_bounds(const Shape *self) {
     const Sphere *sphere = (const Sphere *)self;
@@ -140,6 +147,7 @@ const ShapeClass sphere_class = {
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
+    .misses = sphere_misses,
     .bounds = sphere_bounds,
     .texture_uv = sphere_texture_uv,
 };

@@ -139,6 +139,44 @@ static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_w
                       : both_ways;
 }
 
+bool beam_is_narrow(const Beam *beam) {
+    scalar width = vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up);
+    return 4 * width * width < vec3s_dot(beam->axis, beam->axis);
+}
+
+/** A sphere, as the origin of a beam sees it. */
+typedef struct SeenSphere {
+    Vec3sw center;        /**< Its centre, relative to the origin. */
+    wide_scalar radius;   /**< Its radius. */
+    wide_scalar farthest; /**< No less than the distance of its farthest point. */
+} SeenSphere;
+
+/** @return Whether a sphere lies outside a side of a beam. @param axis A direction in the beam.
+ *  @param edge, other Directions in the plane of the side. */
+INLINE bool seen_sphere_is_beside(const SeenSphere *sphere, Vec3sw axis, Vec3sw edge,
+                                  Vec3sw other) {
+    Vec3sw normal = vec3sw_cross(edge, other);
+    wide_scalar inwards = vec3sw_dot(normal, sphere->center);
+    wide_scalar outwards = vec3sw_dot(normal, axis) > 0 ? -inwards : inwards;
+    // Far more than the roundings here.
+    wide_scalar slack = (wide_scalar)NARROW_BEAM_SLACK * vec3sw_abs_sum(edge) *
+                        vec3sw_abs_sum(other) * sphere->farthest;
+    return outwards > sphere->radius * WIDE_SQRT(vec3sw_dot(normal, normal)) + slack;
+}
+
+bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
+    const Vec3sw axis = vec3s_widen(beam->axis), across = vec3s_widen(beam->across),
+                 up = vec3s_widen(beam->up);
+    SeenSphere seen = {.center = vec3sw_subtract(center, vec3s_widen(beam->origin)),
+                       .radius = radius};
+    seen.farthest = vec3sw_abs_sum(seen.center) + radius;
+    return beam_is_narrow(beam) &&
+           (seen_sphere_is_beside(&seen, axis, vec3sw_add(axis, across), up) ||
+            seen_sphere_is_beside(&seen, axis, vec3sw_subtract(axis, across), up) ||
+            seen_sphere_is_beside(&seen, axis, vec3sw_add(axis, up), across) ||
+            seen_sphere_is_beside(&seen, axis, vec3sw_subtract(axis, up), across));
+}
+
 PacketIntervals beam_intervals(const Beam *beam) {
     const Vec3s *o = &beam->origin, *a = &beam->axis, *r = &beam->across, *u = &beam->up;
     scalar middle = SCALAR_SQRT(vec3s_dot(*a, *a));

@@ -71,6 +71,8 @@ struct Packet {
                                       distances. */
     bool has_beam;               /**< Whether all rays are within #beam. */
     Beam beam;                   /**< A beam of camera rays. */
+    const Shape *only_shape;     /**< The only shape that the rays of #beam may meet; NULL: nobody
+                                      knows. Not set without a beam. */
     SampleContext context;       /**< The samples that the rays belong to. */
 };
 
@@ -157,6 +159,13 @@ PacketIntervals packet_vector_intervals(const Packet *packet, int v);
  *  angles and so no longer than the axis. */
 #define BEAM_SLACK (64 * ROUNDOFF)
 
+/** How far a ray may be beside a narrow beam, in lengths of the ray: BEAM_SLACK of lengths that are
+ *  up to three times its own. */
+#define NARROW_BEAM_SLACK (4 * BEAM_SLACK)
+
+/** @return Whether a beam is narrow: no direction is shorter than half its axis. */
+bool beam_is_narrow(const Beam *beam);
+
 /** @return The intervals of a packet whose rays all end at one point, with at least one active ray.
  *          Only their origins and limits are read: the direction and its inverse are monotonic in
  *          them, also as they are rounded, so the intervals are those of packet_intervals(). An
@@ -167,6 +176,9 @@ PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *poin
 /** @return The same. @param low, high Least and greatest origins, per lane. @param limit The
  * largest limit. */
 PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit);
+
+/** @return Whether all rays of a beam surely miss a sphere. */
+bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius);
 
 /** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays
  *          go both ways clips nothing. */

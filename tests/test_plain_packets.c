@@ -11,7 +11,7 @@
 #include "bvh_queries.h"
 
 /** Rooms that are drawn. */
-enum { ROOMS = 4000 };
+enum { ROOMS = 16000 };
 
 /** A room with a lamp that hardly faces a surface: its cosine is above 0 by rounding alone, and its
  *  shadow rays meet the surface. */
@@ -19,6 +19,12 @@ enum { ROOM_OF_ROUNDINGS = 19746 };
 
 /** Most columns and rows of a grid. */
 enum { MOST = 40 };
+
+/** Columns of the smallest picture; it is half as high. */
+enum { SMALLEST = 80 };
+
+/** Pictures are up to 2^4 times as large. */
+enum { WIDTHS = 5 };
 
 /** Half the edge of a room. */
 #define HALF 2.0
@@ -155,47 +161,129 @@ static Scene *random_room(uint64_t *state) {
     return scene;
 }
 
+/** A floor that may rise to the right and to the front. */
+typedef struct Floor {
+    double rise_x; /**< Per length. */
+    double rise_z; /**< Per length. */
+} Floor;
+
+/** @return The height of a floor. */
+static double floor_height(const Floor *floor, double x, double z) {
+    return floor->rise_x * (x + HALF) + floor->rise_z * (z + HALF) - HALF;
+}
+
+/** Adds a lamp at any height above or below a floor: mostly hardly any. */
+static void floor_lamp(Scene *scene, uint64_t *state, const Floor *floor) {
+    Vec3d position = room_point(state);
+    double height = exp2(1 - 24 * random_unit_double(state));
+    position.y = floor_height(floor, position.x, position.z) +
+                 (random_unit_double(state) < 0.25 ? -height : height);
+    room_lamp_at(scene, state, position);
+}
+
+/** @return A random vector of a length. */
+static Vec3d random_of_length(uint64_t *state, double length) {
+    double x = random_float(state, -1, 1), y = random_float(state, -1, 1);
+    Vec3d direction = {x, y, random_float(state, -1, 1)};
+    return vec3d_scale(vec3d_normalize(direction), length);
+}
+
+/** Adds a ball that a point is on the surface of, or a small box beside the point. */
+static void floor_solid(Scene *scene, uint64_t *state, Vec3d point) {
+    double size = exp2(1 - 12 * random_unit_double(state));
+    Vec3d beside = random_of_length(state, size);
+    room_material(scene, state);
+    if (random_unit_double(state) < 0.5) {
+        SphereParameters sphere = {vec3d_add(point, beside), size};
+        add_shape(scene, "sphere", &sphere);
+    } else {
+        Vec3d corner = {point.x + beside.x, point.y, point.z + beside.z};
+        BoxParameters box = {corner, vec3d_add(corner, (Vec3d){size / 4, size / 8, size / 4})};
+        add_shape(scene, "box", &box);
+    }
+}
+
+/** @return A floor, a camera that looks at a point of it, up to two small shapes around that point,
+ *          and two lamps, to be destroyed. Many tiles of it are plain, or nearly so. */
+static Scene *random_floor(uint64_t *state) {
+    const double a = HALF, e = 2 * HALF;
+    Scene *scene = create_empty_scene();
+    Floor floor = {0, 0};
+    if (random_unit_double(state) < 0.5) {
+        floor = (Floor){random_unit_double(state) / 4, random_unit_double(state) / 16};
+    }
+    room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, floor.rise_z * e, e},
+              (Vec3d){e, floor.rise_x * e, 0});
+    Vec3d target = {random_float(state, -1, 1), 0, 0};
+    target.y = floor_height(&floor, target.x, target.z);
+    for (int i = (int)(3 * random_unit_double(state)); i > 0; i--) {
+        floor_solid(scene, state, target);
+    }
+    floor_lamp(scene, state, &floor);
+    floor_lamp(scene, state, &floor);
+    scene->ambient = (Rgbd){0.125, 0.125, 0.125};
+    SceneCamera *camera = &scene->camera;
+    camera->position = (Vec3d){0, floor_height(&floor, 0, HALF), HALF};
+    camera->position.y += exp2(2 - 6 * random_unit_double(state));
+    camera->direction = vec3d_normalize(vec3d_subtract(target, camera->position));
+    Vec3d forward = camera->direction;
+    camera->up = vec3d_normalize(vec3d_subtract((Vec3d){0, 1, 0}, vec3d_scale(forward, forward.y)));
+    camera->fov = 1 + 40 * random_unit_double(state);
+    return scene;
+}
+
 /** Traces a grid. @return The rays. */
 static RayCounts trace_room(const Engine *engine, const Scene *scene, const TraceSettings *settings,
-                            const PixelGrid *grid, double *rgb) {
+                            int width, const PixelGrid *grid, double *rgb) {
     Error error = {0};
     RayCounts counts = {0};
     Tracer *tracer = engine->create_tracer(scene, settings, &error);
     assert_non_null(tracer);
-    engine->set_view(tracer, scene, 2 * MOST, MOST);
+    engine->set_view(tracer, scene, width, width / 2);
     engine->trace(tracer, grid, rgb, &counts);
     engine->destroy(tracer);
     return counts;
 }
 
-/** @return A part of the picture. */
-static PixelGrid random_grid(uint64_t *state) {
-    return (PixelGrid){.x = (int)(MOST * random_unit_double(state)),
-                       .y = (int)(MOST / 2 * random_unit_double(state)),
-                       .columns = 1 + (int)(MOST * random_unit_double(state)),
-                       .rows = 1 + (int)(MOST * random_unit_double(state)),
-                       .stride = random_unit_double(state) < 0.7 ? 1 : 3,
-                       .sample = (int)(3 * random_unit_double(state))};
+/** @return A part of a picture. @param is_tile Whether it has whole packets only. */
+static PixelGrid random_grid(uint64_t *state, int width, bool is_tile) {
+    PixelGrid grid = {.x = (int)(width / 2 * random_unit_double(state)),
+                      .y = (int)(width / 4 * random_unit_double(state)),
+                      .columns = 1 + (int)(MOST * random_unit_double(state)),
+                      .rows = 1 + (int)(MOST * random_unit_double(state)),
+                      .stride = random_unit_double(state) < 0.7 ? 1 : 3,
+                      .sample = (int)(3 * random_unit_double(state))};
+    if (is_tile) {
+        grid.columns = grid.columns < MOST / 2 ? 16 : 32;
+        grid.rows = 8;
+    }
+    return grid;
 }
 
 /** Draws a room in all engines of a number type. @param first The engine of one lane. */
 static void draw_room(const Engine *first, int room) {
     static double wanted[3 * MOST * MOST], got[3 * MOST * MOST];
     uint64_t state = (uint64_t)room;
-    Scene *scene = random_room(&state);
-    const PixelGrid grid = random_grid(&state);
+    Scene *scene = room % 16 >= 8 ? random_floor(&state) : random_room(&state);
+    // In a large picture, a part is a narrow beam that often sees one wall.
+    const int width = room < ROOMS ? SMALLEST << (room / 16 % WIDTHS) : SMALLEST;
+    PixelGrid grid = random_grid(&state, width, room / 16 % 2 == 1);
+    if (room % 16 >= 8) { // The middle of the picture is in it.
+        grid.x = width / 2 - (int)(grid.columns * grid.stride * random_unit_double(&state));
+        grid.y = width / 4 - (int)(grid.rows * grid.stride * random_unit_double(&state));
+    }
     const OffsetStrategy offset = room % 8 == 0   ? OFFSET_NONE
                                   : room % 8 == 1 ? OFFSET_FIXED
                                                   : OFFSET_BOUND;
     size_t bytes = 3 * (size_t)grid.columns * (size_t)grid.rows * sizeof *got;
     TraceSettings settings = {
         .depth = 3, .samples = 1, .cutoff = 0.25, .offset = offset, .epsilon = 1e-3};
-    RayCounts rays = trace_room(first, scene, &settings, &grid, wanted);
+    RayCounts rays = trace_room(first, scene, &settings, width, &grid, wanted);
     // Every fourth room is in a BVH, where packets meet its nodes as they meet shapes in the list.
     settings.bvh = room % 4 == 3 ? BVH_ALWAYS : settings.bvh;
     for (const Engine *const *engine = engine_list(); *engine; engine++) {
         if (engine_matches_type(*engine, first) && *engine != first) {
-            RayCounts same = trace_room(*engine, scene, &settings, &grid, got);
+            RayCounts same = trace_room(*engine, scene, &settings, width, &grid, got);
             if (memcmp(got, wanted, bytes) != 0 || same.shadow != rays.shadow ||
                 same.reflection != rays.reflection) {
                 fail_msg("room %d in %s: another picture than in %s", room, (*engine)->name,

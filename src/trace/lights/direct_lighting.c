@@ -129,10 +129,6 @@ INLINE const Shape *light_sample_first_shape(const ShapeSet *shapes, const Surfa
     return shapes->shapes[integer_at(&surface->hits[v].shape, lane)];
 }
 
-/** Least cosine between a normal and a ray that surely leaves: more than its roundings, which
- *  decide on which side of a surface a light in its plane is. */
-#define LEAVING_SLACK (64 * ROUNDOFF)
-
 /** @return The shadow rays that may meet again the shape at which they start. @param shape A convex
  *          or flat one. @param v Which vector of points. */
 INLINE mask light_sample_may_return(const Shape *shape, const SurfaceHit *surface,

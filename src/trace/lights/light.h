@@ -13,6 +13,10 @@
 /** Squared distances below this, the square of the scene's smallest length, count as this. */
 #define MIN_DISTANCE_SQUARED ((scalar)(LENGTH_MINIMUM * LENGTH_MINIMUM))
 
+/** Least cosine between a normal and a ray that surely leaves: more than its roundings, which
+ *  decide on which side of a surface a light in its plane is. */
+#define LEAVING_SLACK (64 * ROUNDOFF)
+
 /**
  * What one light would give to the points of a packet, if nothing were in the way. For each active
  * ray it gives intensity * weight * cosine, divided by #distance_squared or by a constant plus its

@@ -112,16 +112,40 @@ void camera_rays_init(const Tracer *tracer, const PixelGrid *grid, PixelJitter j
 
 /* --- tiles ------------------------------------------------------------------------------------ */
 
+/** What the camera rays of a tile may meet. */
+typedef struct TileSight {
+    bool is_known;             /**< Whether the rest is set. */
+    Beam beam;                 /**< A beam that holds all rays. */
+    BeamCandidates candidates; /**< The shapes that they may meet. */
+} TileSight;
+
+/** @return What the rays of a grid may meet. */
+static TileSight tile_sight_of(const Tracer *tracer, const PixelGrid *grid) {
+    TileSight sight = {.is_known = shape_set_is_list(&tracer->shapes) && !grid->selected};
+    if (sight.is_known) {
+        sight.beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
+        shape_set_find_in_beam(&tracer->shapes, &sight.beam, &sight.candidates);
+    }
+    return sight;
+}
+
+/** @return Whether all rays of a grid see the same light of the sky, and nothing else. */
+static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid,
+                               const TileSight *sight) {
+    return sight->is_known && sight->candidates.count == 0 && !tracer->sky.is_gradient &&
+           !tracer->textures.sky && tracer->emitters.count == 0 && !tracer->methods &&
+           !grid->path_hashes && !grid->ray_tree;
+}
+
 /** @return Whether the rays of a grid are no longer needed. */
 static bool grid_is_stopped(const PixelGrid *grid) {
     return grid->is_stopped && grid->is_stopped(grid->stop_context);
 }
 
-/** Traces a grid of pixels as wavefronts. */
-static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer,
-                                                            const PixelGrid *grid,
-                                                            Wavefront *wavefront, double *rgb,
-                                                            RayCounts *counts) {
+/** Traces a grid of pixels as wavefronts. @param only_shape See #Packet.only_shape. */
+static __attribute__((noinline)) void
+trace_tile_wavefronts(const Tracer *tracer, const PixelGrid *grid, const Shape *only_shape,
+                      Wavefront *wavefront, double *rgb, RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
     for (int first = 0; first < packet_count && !grid_is_stopped(grid);
@@ -133,6 +157,7 @@ static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer
             count = left < WAVEFRONT_PACKETS ? left : WAVEFRONT_PACKETS;
         for (int i = 0; i < count; i++) {
             camera_rays_init(tracer, grid, jitter, first + i, NULL, NULL, &rays[i]);
+            rays[i].state.packet.only_shape = only_shape;
             packets[i].rays = &rays[i].state;
             packets[i].colors = colors[i];
         }
@@ -144,24 +169,29 @@ static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer
 }
 
 /** Traces a grid of pixels packet by packet. */
-static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, double *rgb,
-                               RayCounts *counts) {
+static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, const TileSight *sight,
+                               double *rgb, RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     uint64_t path_hashes[PACKET_RAYS];
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
-    bool may_be_plain = plain_packets_are_possible(tracer, grid);
+    PlainTile plain;
+    const Shape *only_shape = sight->is_known ? beam_only_shape(&sight->candidates) : NULL;
+    plain_tile_find(tracer, grid, &sight->beam, sight->is_known ? &sight->candidates : NULL,
+                    &plain);
     int packet_count = grid_packet_count(grid);
     CameraRun run = {0};
     for (int index = 0; index < packet_count; index++) {
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
-        if (may_be_plain && plain_packet_shade(tracer, grid, jitter, index, colors, counts)) {
+        if (plain.is_possible &&
+            plain_packet_shade(tracer, &plain, grid, jitter, index, colors, counts, &only_shape)) {
             colors_write(colors, grid, index, rgb);
             continue;
         }
         camera_rays_init(tracer, grid, jitter, index, &run, is_recorded ? &recorders : NULL, &rays);
+        rays.state.packet.only_shape = only_shape;
         trace_camera_rays(tracer, &rays.state, colors, counts);
         if (grid->ray_tree) {
             ray_tree_finish(grid->ray_tree, tracer->origin);
@@ -171,20 +201,6 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, doub
         }
         colors_write(colors, grid, index, rgb);
     }
-}
-
-/** @return Whether all rays of a grid see the same light of the sky, and nothing else: no shape's
- *          box lies within the intervals of the whole grid. */
-static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid) {
-    bool is_plain = !tracer->sky.is_gradient && !tracer->textures.sky &&
-                    tracer->emitters.count == 0 && !tracer->methods && !grid->selected &&
-                    !grid->path_hashes && !grid->ray_tree;
-    if (!is_plain || LANES == 1) {
-        return false;
-    }
-    const Beam beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
-    const PacketIntervals intervals = beam_intervals(&beam);
-    return !shape_set_may_meet(&tracer->shapes, &intervals, NULL);
 }
 
 /** Fills a grid with the light of the sky. */
@@ -202,7 +218,8 @@ static void tile_fill_background(const Tracer *tracer, const PixelGrid *grid, do
 
 void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCounts *counts) {
     counts->camera += grid_ray_count(grid);
-    if (tile_is_background(tracer, grid)) {
+    const TileSight sight = tile_sight_of(tracer, grid);
+    if (tile_is_background(tracer, grid, &sight)) {
         tile_fill_background(tracer, grid, rgb);
         return;
     }
@@ -211,10 +228,11 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
     Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
     // Without memory for wavefronts, the recursion gives the same picture more slowly.
     if (wavefront) {
-        trace_tile_wavefronts(tracer, grid, wavefront, rgb, counts);
+        const Shape *only_shape = sight.is_known ? beam_only_shape(&sight.candidates) : NULL;
+        trace_tile_wavefronts(tracer, grid, only_shape, wavefront, rgb, counts);
         wavefront_pool_give_back(tracer->wavefronts, wavefront);
     } else {
-        trace_tile_packets(tracer, grid, rgb, counts);
+        trace_tile_packets(tracer, grid, &sight, rgb, counts);
     }
 }
 

@@ -31,9 +31,25 @@ INLINE real real_load(const scalar *from) {
     return x;
 }
 
+#ifdef LANES_PERMUTE
+/** Whether real_gather_near() takes less time than real_gather(). */
+#define HAS_GATHER_NEAR 1
+#else
+/** Whether real_gather_near() takes less time than real_gather(). */
+#define HAS_GATHER_NEAR 0
+#endif
+
+#ifdef LANES_PERMUTE
+/** Whether real_gather_near() is faster than real_gather(). */
+#define HAS_GATHER_NEAR 1
+#else
+/** Whether real_gather_near() is faster than real_gather(). */
+#define HAS_GATHER_NEAR 0
+#endif
+
 /** @return from[offsets[i]] in lane i, for offsets from 0 to LANES - 1. */
 INLINE real real_gather_near(const scalar *from, integer offsets) {
-#ifdef LANES_PERMUTE
+#if HAS_GATHER_NEAR
     return LANES_PERMUTE(real_load(from), offsets);
 #else
     return real_gather(from, offsets);

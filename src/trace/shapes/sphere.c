@@ -147,7 +147,7 @@ const ShapeClass sphere_class = {
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
-    .misses = sphere_misses,
+    .misses = LANES > 1 ? sphere_misses : NULL, // Engines of one lane have no beams.
     .bounds = sphere_bounds,
     .texture_uv = sphere_texture_uv,
 };

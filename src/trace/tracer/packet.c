@@ -152,9 +152,9 @@ typedef struct SeenSphere {
 } SeenSphere;
 
 /** @return Whether a sphere lies outside a side of a beam. @param axis A direction in the beam.
- *  @param edge, other Directions in the plane of the side. */
-INLINE bool seen_sphere_is_beside(const SeenSphere *sphere, Vec3sw axis, Vec3sw edge,
-                                  Vec3sw other) {
+ *  @param edge, other Directions in the plane of the side. Four times inline would gain nothing. */
+static __attribute__((noinline)) bool seen_sphere_is_beside(const SeenSphere *sphere, Vec3sw axis,
+                                                            Vec3sw edge, Vec3sw other) {
     Vec3sw normal = vec3sw_cross(edge, other);
     wide_scalar inwards = vec3sw_dot(normal, sphere->center);
     wide_scalar outwards = vec3sw_dot(normal, axis) > 0 ? -inwards : inwards;

@@ -16,7 +16,7 @@ typedef struct NodeSums {
  *  another pass: they fit into LANES places, and a vector of them is loaded instead of gathered. */
 typedef struct ChildPlaces {
     mask lanes;      /**< The lanes with a child; at least one. */
-    bool are_near;   /**< Whether all offsets are below LANES. */
+    bool are_near;   /**< Whether all offsets are below LANES, where that helps. */
     unsigned first;  /**< The place of the first child. */
     integer offsets; /**< Places after #first; 0 in other lanes. */
 } ChildPlaces;
@@ -25,7 +25,8 @@ typedef struct ChildPlaces {
 INLINE ChildPlaces child_places_of(mask lanes, integer places) {
     const int first = integer_lane(places, mask_first(lanes));
     integer offsets = integer_select(lanes, places - first, integer_of(0));
-    return (ChildPlaces){lanes, !any((offsets < 0) | (offsets >= LANES)), (unsigned)first, offsets};
+    bool are_near = HAS_GATHER_NEAR && !any((offsets < 0) | (offsets >= LANES));
+    return (ChildPlaces){lanes, are_near, (unsigned)first, offsets};
 }
 
 /** @return Numbers of children, from a column. @param are_near A constant: what #ChildPlaces says.

@@ -94,7 +94,7 @@ INLINE void plain_light_add(const Light *lamp, const PlainLight *light, Rgb *dif
 
 /** Adds up the light of all lamps. @param is_clear Whether each reaches all points, or faces none.
  *  Else that is found out. @return Whether it is so. */
-INLINE bool plain_points_light(const Tracer *tracer, const PlainPoints *points, bool is_clear,
+static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, bool is_clear,
                                Rgb *diffuse, RayCounts *counts) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
     uint64_t rays = 0;
@@ -229,7 +229,7 @@ static const PlaneEquation *plain_tile_plane(const Tracer *tracer, const Beam *b
 
 void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *beam,
                      const BeamCandidates *candidates, PlainTile *tile) {
-    tile->is_possible = candidates && !grid->path_hashes && !grid->ray_tree && !tracer->methods &&
+    tile->is_possible = !grid->path_hashes && !grid->ray_tree && !tracer->methods &&
                         !tracer->textures.material_maps && !tracer->dielectrics.iors &&
                         tracer->emitters.count == 0;
     if (tile->is_possible) {
@@ -242,7 +242,7 @@ void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *be
 
 /** Finds the colours of a packet that meets one plane. @param is_clear See plain_points_light().
  *  @return Whether it is plain. */
-INLINE bool plain_plane_shade(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter,
+static bool plain_plane_shade(const Tracer *tracer, const PixelGrid *grid, PixelJitter jitter,
                               GridPosition first, const PlaneEquation *plane, const Shape *shape,
                               bool is_clear, Rgb *colors, RayCounts *counts) {
     PlainPoints points;

@@ -24,8 +24,8 @@ typedef struct PlainTile {
                                      are plain. NULL: not so, or nobody knows. */
 } PlainTile;
 
-/** Finds what the rays of a tile have in common. @param candidates The shapes that they may meet;
- *  NULL: not known. */
+/** Finds what the rays of a tile have in common. @param beam Theirs. @param candidates The shapes
+ *  that they may meet. */
 void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *beam,
                      const BeamCandidates *candidates, PlainTile *tile);
 

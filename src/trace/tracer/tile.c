@@ -176,16 +176,17 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, cons
     const Recorders recorders = {.path_hashes = grid->path_hashes ? path_hashes : NULL,
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
-    PlainTile plain;
+    PlainTile plain = {.is_possible = false};
     const Shape *only_shape = sight->is_known ? beam_only_shape(&sight->candidates) : NULL;
-    plain_tile_find(tracer, grid, &sight->beam, sight->is_known ? &sight->candidates : NULL,
-                    &plain);
+    if (LANES > 1 && sight->is_known) {
+        plain_tile_find(tracer, grid, &sight->beam, &sight->candidates, &plain);
+    }
     int packet_count = grid_packet_count(grid);
     CameraRun run = {0};
     for (int index = 0; index < packet_count; index++) {
         CameraRays rays;
         Rgb colors[PACKET_VECTORS];
-        if (plain.is_possible &&
+        if (LANES > 1 && plain.is_possible &&
             plain_packet_shade(tracer, &plain, grid, jitter, index, colors, counts, &only_shape)) {
             colors_write(colors, grid, index, rgb);
             continue;

@@ -81,12 +81,14 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
         return;
     }
     const ShapeClass *class = shape->class;
-    if (packet->has_beam && shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
-        return;
-    }
-    if (packet->has_beam && class->covers && class->covers(shape, &packet->beam)) {
-        class->covered_hits(shape, packet, hits);
-        return;
+    if (LANES > 1 && packet->has_beam) {
+        if (shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
+            return;
+        }
+        if (class->covers && class->covers(shape, &packet->beam)) {
+            class->covered_hits(shape, packet, hits);
+            return;
+        }
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         mask pending = packet->active[v] & (hits[v].distance >= real_of(near));

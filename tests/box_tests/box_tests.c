@@ -360,7 +360,7 @@ static Vec3sw sphere_beside(uint64_t *seed, const Beam *beam, scalar distance) {
     Vec3sw normal = vec3sw_cross(vec3s_widen(edge), vec3s_widen(is_up ? beam->across : beam->up));
     bool is_inwards = vec3sw_dot(normal, vec3s_widen(beam->axis)) > 0;
     Vec3sw outwards = vec3sw_scale(vec3sw_normalize(normal), is_inwards ? -1 : 1);
-    return vec3sw_add(vec3s_widen(point), vec3sw_scale(outwards, (wide_scalar)distance));
+    return vec3sw_subtract(vec3s_widen(point), vec3sw_scale(outwards, -(wide_scalar)distance));
 }
 
 /** See #BOX_SPHERES. */

@@ -85,8 +85,7 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
         if (shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
             return;
         }
-        if (class->covers && class->covers(shape, &packet->beam)) {
-            class->covered_hits(shape, packet, hits);
+        if (class->beam_hits && class->beam_hits(shape, packet, hits)) {
             return;
         }
     }

@@ -188,6 +188,16 @@ INLINE Vec3w vec3w_add_scaled(Vec3w a, Vec3w v, wide s) {
     return (Vec3w){a.x + v.x * s, a.y + v.y * s, a.z + v.z * s};
 }
 
+/** @return a x b. */
+INLINE Vec3 vec3_cross(Vec3 a, Vec3 b) {
+    return (Vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+INLINE real vec3_abs_sum(Vec3 v) {
+    return real_abs(v.x) + real_abs(v.y) + real_abs(v.z);
+}
+
 /** @return a . b, summed in the order x, y, z. */
 INLINE wide vec3w_dot(Vec3w a, Vec3w b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -223,11 +233,6 @@ INLINE scalar vec3s_abs_sum(Vec3s v) {
     return scalar_abs(v.x) + scalar_abs(v.y) + scalar_abs(v.z);
 }
 
-/** @return a + b. */
-static inline Vec3sw vec3sw_add(Vec3sw a, Vec3sw b) {
-    return (Vec3sw){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
 /** @return a - b. */
 static inline Vec3sw vec3sw_subtract(Vec3sw a, Vec3sw b) {
     return (Vec3sw){a.x - b.x, a.y - b.y, a.z - b.z};
@@ -241,11 +246,6 @@ static inline Vec3sw vec3sw_scale(Vec3sw v, wide_scalar s) {
 /** @return a . b. */
 static inline wide_scalar vec3sw_dot(Vec3sw a, Vec3sw b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/** @return The sum of the absolute values of the components: no less than the length. */
-static inline wide_scalar vec3sw_abs_sum(Vec3sw v) {
-    return (v.x < 0 ? -v.x : v.x) + (v.y < 0 ? -v.y : v.y) + (v.z < 0 ? -v.z : v.z);
 }
 
 /** @return a x b. */

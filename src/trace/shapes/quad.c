@@ -64,9 +64,12 @@ static const PlaneEquation *quad_plane(const Shape *self) {
     return &((const Quad *)self)->plane;
 }
 
-/** Finds where rays meet the plane: all pass inside the edges, and the plane is equally high above
- *  all of them. See #ShapeClass.covered_hits. */
-static void quad_covered_hits(const Shape *self, const Packet *packet, Hit *hits) {
+/** Finds where rays meet the plane, if all pass inside the edges: the plane is equally high above
+ *  all of them. See #ShapeClass.beam_hits. */
+static bool quad_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    if (!quad_covers(self, &packet->beam)) {
+        return false;
+    }
     const PlaneEquation plane = ((const Quad *)self)->plane;
     const real height = plane_equation_height(&plane, packet->beam.origin);
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -76,6 +79,7 @@ static void quad_covered_hits(const Shape *self, const Packet *packet, Hit *hits
         SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
         shape_update_hit(self, &hits[v], nearer, distance, &surface);
     }
+    return true;
 }
 
 /** See #ShapeClass.is_occluding. */
@@ -112,7 +116,7 @@ const ShapeClass quad_class = {
     .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
     .covers = quad_covers,
-    .covered_hits = quad_covered_hits,
+    .beam_hits = quad_beam_hits,
     .plane = quad_plane,
     .texture_uv = quad_texture_uv,
 };

@@ -121,16 +121,16 @@ typedef struct ShapeClass {
      *          nobody knows. */
     bool (*misses)(const Shape *self, const Beam *beam);
 
-    /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
-     *          #covers and #covered_hits come together. */
+    /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows. */
     bool (*covers)(const Shape *self, const Beam *beam);
 
     /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL:
      * none. A class with a plane has #covers. */
     const PlaneEquation *(*plane)(const Shape *self);
 
-    /** #is_hit for a packet of a beam that the shape covers: to the bit the same, for less. */
-    void (*covered_hits)(const Shape *self, const Packet *packet, Hit *hits);
+    /** #is_hit for all rays of a packet with a beam: to the bit the same, for less. NULL: there is
+     *  none. @return Whether it is done; false: #is_hit is called for each vector of rays. */
+    bool (*beam_hits)(const Shape *self, const Packet *packet, Hit *hits);
 
     /** @return The bounding box. */
     Aabbs (*bounds)(const Shape *self);

@@ -37,21 +37,33 @@ static void sphere_init(Shape *self, const void *parameters) {
     sphere->radius = (wide_scalar)p->radius;
 }
 
+/** A sphere, as the origins of LANES rays see it. */
+typedef struct SeenSphere {
+    Vec3w to_center;     /**< From the origin to the centre. */
+    wide center_power;   /**< The square of its length, less that of the radius. */
+    wide radius_squared; /**< The square of the radius. */
+} SeenSphere;
+
+/** @return A sphere as origins see it. */
+INLINE SeenSphere sphere_seen_from(const Sphere *sphere, Vec3 origin) {
+    Vec3w to_center = vec3w_subtract(vec3w_splat(sphere->center), vec3_widen(origin));
+    wide radius_squared = wide_of(sphere->radius * sphere->radius);
+    return (SeenSphere){to_center, vec3w_dot(to_center, to_center) - radius_squared,
+                        radius_squared};
+}
+
 /** Solves |origin + t direction - center| = radius. See #IntersectFunction. */
-INLINE mask sphere_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
-                             void *roots) {
-    const Sphere *sphere = (const Sphere *)self;
-    SphereRoots *chord = roots;
+INLINE mask seen_sphere_intersect(const SeenSphere *seen, const Ray *ray, mask active,
+                                  real *distance, SphereRoots *chord) {
     // The point of the line that is nearest to the centre.
+    const Vec3w to_center = seen->to_center;
     Vec3w direction = vec3_widen(ray->direction);
-    Vec3w to_center = vec3w_subtract(vec3w_splat(sphere->center), vec3_widen(ray->origin));
     wide per_length_squared = 1 / vec3w_dot(direction, direction);
     wide middle = vec3w_dot(to_center, direction) * per_length_squared;
     Vec3w mid_to_center = vec3w_add_scaled(to_center, direction, -middle);
 
     // Half the chord, from the right triangle of radius and distance.
-    wide radius_squared = wide_of(sphere->radius * sphere->radius);
-    wide half_squared = radius_squared - vec3w_dot(mid_to_center, mid_to_center);
+    wide half_squared = seen->radius_squared - vec3w_dot(mid_to_center, mid_to_center);
     mask crosses = active & narrow_mask(wide_less_equal(wide_of(0), half_squared));
     if (!any(crosses)) {
         return crosses;
@@ -63,12 +75,18 @@ INLINE mask sphere_intersect(const Shape *self, const Ray *ray, mask active, rea
     real to_middle = narrow(middle);
     mask is_ahead = to_middle > 0;
     real sum = to_middle + real_select(is_ahead, half, -half);
-    wide center_power = vec3w_dot(to_center, to_center) - radius_squared;
-    real quotient = narrow(center_power * per_length_squared / widen(sum));
+    real quotient = narrow(seen->center_power * per_length_squared / widen(sum));
     real near = real_select(is_ahead, quotient, sum), far = real_select(is_ahead, sum, quotient);
     *chord = (SphereRoots){vec3_narrow(mid_to_center), half, near > 0};
     *distance = real_select(chord->is_outside, near, far);
     return crosses;
+}
+
+/** See #IntersectFunction. */
+INLINE mask sphere_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
+                             void *roots) {
+    const SeenSphere seen = sphere_seen_from((const Sphere *)self, ray->origin);
+    return seen_sphere_intersect(&seen, ray, active, distance, roots);
 }
 
 /** @return The points on a sphere. See #SurfaceFunction. */
@@ -91,6 +109,26 @@ INLINE SurfacePoint sphere_surface(const Shape *self, const Ray *ray, real dista
 static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hit) {
     SphereRoots roots;
     return primitive_is_hit(self, ray, active, hit, sphere_intersect, sphere_surface, &roots);
+}
+
+/** Sees the sphere once for all rays: they start at one point. See #ShapeClass.beam_hits. */
+static bool sphere_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    const SeenSphere seen = sphere_seen_from((const Sphere *)self, vec3_splat(packet->beam.origin));
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Ray *ray = &packet->rays[v];
+        SphereRoots roots;
+        real distance;
+        mask crosses = seen_sphere_intersect(&seen, ray, packet->active[v], &distance, &roots);
+        if (!any(crosses)) {
+            continue;
+        }
+        mask nearer = hit_is_nearer(&hits[v], crosses, distance, self->index);
+        if (any(nearer)) {
+            SurfacePoint surface = sphere_surface(self, ray, distance, &roots);
+            shape_update_hit(self, &hits[v], nearer, distance, &surface);
+        }
+    }
+    return true;
 }
 
 /** @return The rays that may meet a sphere: those that start outside and go away, as most shadow
@@ -147,6 +185,7 @@ const ShapeClass sphere_class = {
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
+    .beam_hits = LANES > 1 ? sphere_beam_hits : NULL,
     .misses = LANES > 1 ? sphere_misses : NULL, // Engines of one lane have no beams.
     .bounds = sphere_bounds,
     .texture_uv = sphere_texture_uv,

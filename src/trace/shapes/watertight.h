@@ -185,11 +185,6 @@ static inline PolygonEdges quad_edges_of(const Vertex *corners) {
  */
 #define COVER_SLACK (128 * ROUNDOFF)
 
-/** @return The sum of the absolute values of the components: no less than the length. */
-INLINE real vec3_abs_sum(Vec3 v) {
-    return real_abs(v.x) + real_abs(v.y) + real_abs(v.z);
-}
-
 /**
  * @return Whether polygon_contains_ray() holds for all rays of a beam. A ray passes an edge on the
  *         side that the sign of d . (a x b) says, for its direction d and the corners a and b as
@@ -198,7 +193,7 @@ INLINE real vec3_abs_sum(Vec3 v) {
 static inline bool polygon_covers_beam(const PolygonEdges *edges, const Beam *beam) {
     Vec3 origin = vec3_splat(beam->origin), a = vec3_subtract(edges->from, origin),
          b = vec3_subtract(edges->to, origin);
-    Vec3 n = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    Vec3 n = vec3_cross(a, b);
     real side = vec3_dot(n, vec3_splat(beam->axis));
     real spread = real_abs(vec3_dot(n, vec3_splat(beam->across))) +
                   real_abs(vec3_dot(n, vec3_splat(beam->up)));

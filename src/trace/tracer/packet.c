@@ -144,37 +144,25 @@ bool beam_is_narrow(const Beam *beam) {
     return 4 * width * width < vec3s_dot(beam->axis, beam->axis);
 }
 
-/** A sphere, as the origin of a beam sees it. */
-typedef struct SeenSphere {
-    Vec3sw center;        /**< Its centre, relative to the origin. */
-    wide_scalar radius;   /**< Its radius. */
-    wide_scalar farthest; /**< No less than the distance of its farthest point. */
-} SeenSphere;
-
-/** @return Whether a sphere lies outside a side of a beam. @param axis A direction in the beam.
- *  @param edge, other Directions in the plane of the side. Four times inline would gain nothing. */
-static __attribute__((noinline)) bool seen_sphere_is_beside(const SeenSphere *sphere, Vec3sw axis,
-                                                            Vec3sw edge, Vec3sw other) {
-    Vec3sw normal = vec3sw_cross(edge, other);
-    wide_scalar inwards = vec3sw_dot(normal, sphere->center);
-    wide_scalar outwards = vec3sw_dot(normal, axis) > 0 ? -inwards : inwards;
-    // Far more than the roundings here.
-    wide_scalar slack = (wide_scalar)NARROW_BEAM_SLACK * vec3sw_abs_sum(edge) *
-                        vec3sw_abs_sum(other) * sphere->farthest;
-    return outwards > sphere->radius * WIDE_SQRT(vec3sw_dot(normal, normal)) + slack;
-}
-
 bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
-    const Vec3sw axis = vec3s_widen(beam->axis), across = vec3s_widen(beam->across),
-                 up = vec3s_widen(beam->up);
-    SeenSphere seen = {.center = vec3sw_subtract(center, vec3s_widen(beam->origin)),
-                       .radius = radius};
-    seen.farthest = vec3sw_abs_sum(seen.center) + radius;
-    return beam_is_narrow(beam) &&
-           (seen_sphere_is_beside(&seen, axis, vec3sw_add(axis, across), up) ||
-            seen_sphere_is_beside(&seen, axis, vec3sw_subtract(axis, across), up) ||
-            seen_sphere_is_beside(&seen, axis, vec3sw_add(axis, up), across) ||
-            seen_sphere_is_beside(&seen, axis, vec3sw_subtract(axis, up), across));
+    const Vec3 axis = vec3_splat(beam->axis), across = vec3_splat(beam->across),
+               up = vec3_splat(beam->up);
+    const Vec3 to_center =
+        vec3_splat(vec3s_narrow(vec3sw_subtract(center, vec3s_widen(beam->origin))));
+    const real r = real_of((scalar)radius);
+    // One side of the beam per lane: right, left, upper, lower. Further lanes repeat them.
+    const mask is_up = (lane_numbers() & 2) == 2, is_opposite = (lane_numbers() & 1) == 1;
+    Vec3 sideways = vec3_select(is_up, up, across), along = vec3_select(is_up, across, up);
+    real sign = real_select(is_opposite, real_of(-1), real_of(1));
+    Vec3 edge = vec3_add(axis, vec3_scale(sideways, sign));
+    Vec3 normal = vec3_cross(edge, along);
+    real inwards = vec3_dot(normal, to_center);
+    real outwards = real_select(vec3_dot(normal, axis) > 0, -inwards, inwards);
+    // Far more than the roundings here.
+    real slack = NARROW_BEAM_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) *
+                 (vec3_abs_sum(to_center) + r);
+    mask is_beside = outwards > r * real_sqrt(vec3_dot(normal, normal)) + slack;
+    return beam_is_narrow(beam) && any(is_beside);
 }
 
 PacketIntervals beam_intervals(const Beam *beam) {

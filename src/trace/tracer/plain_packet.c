@@ -146,13 +146,11 @@ typedef struct PlaneSection {
 
 /** @return The section of a beam. All of its rays meet the plane from the front. */
 static PlaneSection plane_section_of(const PlaneEquation *plane, const Beam *beam) {
-    real across = {0}, up = {0};
-    for (int i = 0; i < LANES; i++) {
-        real_set_lane(&across, i, i & 1 ? 1 : -1);
-        real_set_lane(&up, i, i & 2 ? 1 : -1);
-    }
-    Vec3 sideways = vec3_add(vec3_scale(vec3_splat(beam->across), across),
-                             vec3_scale(vec3_splat(beam->up), up));
+    const mask is_left = (lane_numbers() & 1) == 1, is_low = (lane_numbers() & 2) == 2;
+    const real one = real_of(1);
+    Vec3 across = vec3_scale(vec3_splat(beam->across), real_select(is_left, -one, one));
+    Vec3 up = vec3_scale(vec3_splat(beam->up), real_select(is_low, -one, one));
+    Vec3 sideways = vec3_add(across, up);
     Ray ray = ray_of(vec3_splat(beam->origin),
                      vec3_normalize(vec3_add(vec3_splat(beam->axis), sideways)));
     real slope = real_abs(plane_equation_slope(plane, ray.direction));

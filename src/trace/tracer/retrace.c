@@ -236,7 +236,8 @@ static void settle_recorded_losses(const Tracer *tracer, const RayState *rays, L
 /**
  * Traces camera rays again until all are within the budget, or cannot be.
  * @param cutoff  At which throughput rays ended so far.
- * @param first_counts  The rays before the first pass.
+ * @param first_counts  The rays before the first pass, for a ray tree: only those of the last pass
+ *                      count. NULL: those of all passes do.
  */
 static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer, scalar cutoff,
                                                         const RayCounts *first_counts,
@@ -247,7 +248,7 @@ static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer, sc
     while (tracer->loss_budget.cutoff > 0 &&
            find_open_rays(tracer, rays, colors, losses, curable) &&
            find_curable_rays(tracer, cutoff / PASS_FACTOR, colors, losses, curable)) {
-        if (sample_context_ray_tree(&rays->packet.context)) {
+        if (first_counts) {
             *counts = *first_counts;
         }
         cutoff /= PASS_FACTOR;
@@ -256,16 +257,27 @@ static __attribute__((noinline)) void retrace_open_rays(const Tracer *tracer, sc
     }
 }
 
-void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts) {
-    const RayCounts first_counts = *counts;
+/** Traces camera rays in as many passes as it takes. @param first_counts See retrace_open_rays().
+ */
+INLINE void camera_rays_trace(const Tracer *tracer, const RayCounts *first_counts, RayState *rays,
+                              Rgb *colors, RayCounts *counts) {
     Losses losses;
     bool may_lose =
         trace_pass(tracer, tracer->loss_budget.throughput, rays, colors, &losses, counts);
     // The reports have rules of their own for where rays end.
     if (may_lose && !tracer->methods && losses_are_any(rays, &losses)) {
-        retrace_open_rays(tracer, tracer->loss_budget.throughput, &first_counts, rays, colors,
+        retrace_open_rays(tracer, tracer->loss_budget.throughput, first_counts, rays, colors,
                           &losses, counts);
         settle_recorded_losses(tracer, rays, &losses, colors, counts);
+    }
+}
+
+void trace_camera_rays(const Tracer *tracer, RayState *rays, Rgb *colors, RayCounts *counts) {
+    if (sample_context_ray_tree(&rays->packet.context)) {
+        const RayCounts first_counts = *counts;
+        camera_rays_trace(tracer, &first_counts, rays, colors, counts);
+    } else {
+        camera_rays_trace(tracer, NULL, rays, colors, counts);
     }
 }
 
@@ -308,7 +320,6 @@ static void camera_packet_keep(CameraPacket *packet, unsigned first, unsigned co
 /** Traces the camera rays of a packet recursively. @param cutoff Of the first pass. */
 static void camera_packet_trace_recursively(const CameraGroup *group, scalar cutoff,
                                             CameraPacket *packet) {
-    const RayCounts first_counts = *group->counts;
     Rgb colors[PACKET_VECTORS];
     Losses losses;
     RayState *rays = packet->rays;
@@ -318,7 +329,7 @@ static void camera_packet_trace_recursively(const CameraGroup *group, scalar cut
     if (!trace_pass(group->tracer, cutoff, rays, colors, &losses, group->counts)) {
         losses_clear(&losses);
     }
-    retrace_open_rays(group->tracer, cutoff, &first_counts, rays, colors, &losses, group->counts);
+    retrace_open_rays(group->tracer, cutoff, NULL, rays, colors, &losses, group->counts);
     results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
     memcpy(rays->packet.active, active, sizeof active);
 }

@@ -115,8 +115,8 @@ const ShapeClass quad_class = {
     .is_hit = quad_is_hit,
     .is_occluding = quad_is_occluding,
     .bounds = quad_bounds,
-    .covers = quad_covers,
-    .beam_hits = quad_beam_hits,
-    .plane = quad_plane,
+    .covers = METHOD_OF_BEAMS(quad_covers),
+    .beam_hits = METHOD_OF_BEAMS(quad_beam_hits),
+    .plane = METHOD_OF_BEAMS(quad_plane),
     .texture_uv = quad_texture_uv,
 };

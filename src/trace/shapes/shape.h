@@ -146,6 +146,9 @@ typedef struct ShapeClass {
     const ShapeExtension *extension; /**< Methods of shapes that are no primitives; NULL: none. */
 } ShapeClass;
 
+/** A method of #ShapeClass that is for beams only: engines of one lane have none. */
+#define METHOD_OF_BEAMS(method) (LANES > 1 ? (method) : NULL)
+
 /** Base of all shapes: their objects start with it. */
 struct Shape {
     const ShapeClass *class; /**< Its class. */

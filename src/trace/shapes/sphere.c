@@ -185,8 +185,8 @@ const ShapeClass sphere_class = {
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
-    .beam_hits = LANES > 1 ? sphere_beam_hits : NULL,
-    .misses = LANES > 1 ? sphere_misses : NULL, // Engines of one lane have no beams.
+    .misses = METHOD_OF_BEAMS(sphere_misses),
+    .beam_hits = METHOD_OF_BEAMS(sphere_beam_hits),
     .bounds = sphere_bounds,
     .texture_uv = sphere_texture_uv,
 };

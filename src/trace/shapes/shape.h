@@ -117,12 +117,10 @@ typedef struct ShapeClass {
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
-    /** @return Whether all rays of a beam surely miss the shape, also within its bounding box.
-     * NULL: nobody knows. */
+    /** @return Whether all rays of a beam surely miss the shape. NULL: only its box tells. */
     bool (*misses)(const Shape *self, const Beam *beam);
 
-    /** @return Whether the lines of all rays of a beam surely meet the shape. NULL: nobody knows.
-     */
+    /** @return Whether the lines of all rays of a beam surely meet it. NULL: nobody knows. */
     bool (*covers)(const Shape *self, const Beam *beam);
 
     /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL:

@@ -19,9 +19,9 @@ typedef struct PlainTile {
                                      shape, texture, visible lamp or report's method, and nothing is
                                      recorded of the rays. Else, nothing else is set. */
     BeamCandidates candidates;  /**< The shapes that the rays may meet. */
-    const PlaneEquation *plane; /**< The plane of a flat, matt shape that all rays meet first, and
-                                     each lamp shines everywhere on it or nowhere: all whole packets
-                                     are plain. NULL: not so, or nobody knows. */
+    const PlaneEquation *plane; /**< The plane of a flat, matt shape that all rays meet first. Each
+                                     lamp shines on all of what they meet, or on nothing of it: all
+                                     whole packets are plain. NULL: nobody knows of such a plane. */
 } PlainTile;
 
 /** Finds what the rays of a tile have in common. @param beam Theirs. @param candidates The shapes

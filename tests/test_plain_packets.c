@@ -188,14 +188,20 @@ static Vec3d random_of_length(uint64_t *state, double length) {
     return vec3d_scale(vec3d_normalize(direction), length);
 }
 
-/** Adds a ball that a point is on the surface of, or a small box beside the point. */
+/** Adds a ball that a point is on the surface of, or a small box or a speck beside the point. In
+ *  float, the corners of a speck are one point. */
 static void floor_solid(Scene *scene, uint64_t *state, Vec3d point) {
     double size = exp2(1 - 12 * random_unit_double(state));
     Vec3d beside = random_of_length(state, size);
     room_material(scene, state);
-    if (random_unit_double(state) < 0.5) {
+    double kind = random_unit_double(state);
+    if (kind < 0.5) {
         SphereParameters sphere = {vec3d_add(point, beside), size};
         add_shape(scene, "sphere", &sphere);
+    } else if (kind < 0.625) {
+        const double speck = 1e-9;
+        QuadParameters quad = {vec3d_add(point, beside), {speck, 0, 0}, {0, speck, 0}};
+        add_shape(scene, "quad", &quad);
     } else {
         Vec3d corner = {point.x + beside.x, point.y, point.z + beside.z};
         BoxParameters box = {corner, vec3d_add(corner, (Vec3d){size / 4, size / 8, size / 4})};

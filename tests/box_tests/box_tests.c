@@ -359,8 +359,8 @@ static Vec3sw sphere_beside(uint64_t *seed, const Beam *beam, scalar distance) {
         beam->origin, vec3s_scale(vec3s_add(edge, along), 8 * (random_scalar(seed) + (scalar)0.1)));
     Vec3sw normal = vec3sw_cross(vec3s_widen(edge), vec3s_widen(is_up ? beam->across : beam->up));
     bool is_inwards = vec3sw_dot(normal, vec3s_widen(beam->axis)) > 0;
-    Vec3sw outwards = vec3sw_scale(vec3sw_normalize(normal), is_inwards ? -1 : 1);
-    return vec3sw_subtract(vec3s_widen(point), vec3sw_scale(outwards, -(wide_scalar)distance));
+    Vec3sw inwards = vec3sw_scale(vec3sw_normalize(normal), is_inwards ? 1 : -1);
+    return vec3sw_subtract(vec3s_widen(point), vec3sw_scale(inwards, (wide_scalar)distance));
 }
 
 /** See #BOX_SPHERES. */

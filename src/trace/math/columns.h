@@ -32,14 +32,6 @@ INLINE real real_load(const scalar *from) {
 }
 
 #ifdef LANES_PERMUTE
-/** Whether real_gather_near() takes less time than real_gather(). */
-#define HAS_GATHER_NEAR 1
-#else
-/** Whether real_gather_near() takes less time than real_gather(). */
-#define HAS_GATHER_NEAR 0
-#endif
-
-#ifdef LANES_PERMUTE
 /** Whether real_gather_near() is faster than real_gather(). */
 #define HAS_GATHER_NEAR 1
 #else

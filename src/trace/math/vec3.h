@@ -132,6 +132,16 @@ INLINE real vec3_dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/** @return a x b. */
+INLINE Vec3 vec3_cross(Vec3 a, Vec3 b) {
+    return (Vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/** @return The sum of the absolute values of the components: no less than the length. */
+INLINE real vec3_abs_sum(Vec3 v) {
+    return real_abs(v.x) + real_abs(v.y) + real_abs(v.z);
+}
+
 /** @return v / |v|; v must not be zero. */
 INLINE Vec3 vec3_normalize(Vec3 v) {
     return vec3_scale(v, 1 / real_sqrt(vec3_dot(v, v)));
@@ -186,16 +196,6 @@ INLINE Vec3w vec3w_select(wide_mask m, Vec3w a, Vec3w b) {
 /** @return a + s v. */
 INLINE Vec3w vec3w_add_scaled(Vec3w a, Vec3w v, wide s) {
     return (Vec3w){a.x + v.x * s, a.y + v.y * s, a.z + v.z * s};
-}
-
-/** @return a x b. */
-INLINE Vec3 vec3_cross(Vec3 a, Vec3 b) {
-    return (Vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/** @return The sum of the absolute values of the components: no less than the length. */
-INLINE real vec3_abs_sum(Vec3 v) {
-    return real_abs(v.x) + real_abs(v.y) + real_abs(v.z);
 }
 
 /** @return a . b, summed in the order x, y, z. */

@@ -96,7 +96,8 @@ INLINE mask edge_functions_contain_ray(const ShearedVertex *sheared, int count) 
         lowest = real_min(side, lowest);
         highest = real_max(side, highest);
     }
-    return (lowest >= 0) | (highest <= 0);
+    // Not both: where all are 0, the vertices are one point, or the ray is in their plane.
+    return (lowest >= 0) ^ (highest <= 0);
 }
 
 /** #polygon_contains_ray for rays with one dominant axis. */

@@ -156,9 +156,9 @@ bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
     real sign = real_select(is_opposite, real_of(-1), real_of(1));
     Vec3 edge = vec3_add(axis, vec3_scale(sideways, sign));
     Vec3 normal = vec3_cross(edge, along);
-    real inwards = vec3_dot(normal, to_center);
-    real outwards = real_select(vec3_dot(normal, axis) > 0, -inwards, inwards);
-    // Far more than the roundings here.
+    real along_normal = vec3_dot(normal, to_center);
+    real outwards = real_select(vec3_dot(normal, axis) > 0, -along_normal, along_normal);
+    // How far rays may be beside the beam, and the roundings here and of the sphere's own test.
     real slack = NARROW_BEAM_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) *
                  (vec3_abs_sum(to_center) + r);
     mask is_beside = outwards > r * real_sqrt(vec3_dot(normal, normal)) + slack;

@@ -72,7 +72,7 @@ struct Packet {
     bool has_beam;               /**< Whether all rays are within #beam. */
     Beam beam;                   /**< A beam of camera rays. */
     const Shape *only_shape;     /**< The only shape that the rays of #beam may meet; NULL: nobody
-                                      knows. Not set without a beam. */
+                                      knows. Read only with a beam. */
     SampleContext context;       /**< The samples that the rays belong to. */
 };
 
@@ -160,7 +160,7 @@ PacketIntervals packet_vector_intervals(const Packet *packet, int v);
 #define BEAM_SLACK (64 * ROUNDOFF)
 
 /** How far a ray may be beside a narrow beam, in lengths of the ray: BEAM_SLACK of lengths that are
- *  up to three times its own. */
+ *  up to three times its own; and a quarter of this is left for roundings. */
 #define NARROW_BEAM_SLACK (4 * BEAM_SLACK)
 
 /** @return Whether a beam is narrow: no direction is shorter than half its axis. */

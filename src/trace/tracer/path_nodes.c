@@ -12,11 +12,12 @@ typedef struct NodeSums {
     real rays;   /**< See #PathNodes.rays. */
 } NodeSums;
 
-/** Where LANES children are. The children of neighbours are neighbours, unless some were traced in
- *  another pass: they fit into LANES places, and a vector of them is loaded instead of gathered. */
+/** Where LANES children are. Mostly the children of neighbours are neighbours: they fit into LANES
+ *  places, and are loaded as a vector. Only where another pass traced some of them, they are
+ *  gathered one by one. */
 typedef struct ChildPlaces {
     mask lanes;      /**< The lanes with a child; at least one. */
-    bool are_near;   /**< Whether all offsets are below LANES, where that helps. */
+    bool are_near;   /**< Whether all offsets are 0 to LANES - 1, where that helps. */
     unsigned first;  /**< The place of the first child. */
     integer offsets; /**< Places after #first; 0 in other lanes. */
 } ChildPlaces;

@@ -111,7 +111,7 @@ static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, 
         if (!light.is_any_lit) {
             continue;
         }
-        if (!is_clear && (!light.is_all_lit || !plain_light_is_clear(tracer, points, lamp))) {
+        if (!light.is_all_lit || (!is_clear && !plain_light_is_clear(tracer, points, lamp))) {
             return false;
         }
         plain_light_add(lamp, &light, diffuse);
@@ -173,7 +173,7 @@ typedef enum SectionLight { SECTION_DARK, SECTION_LIT, SECTION_MIXED } SectionLi
 static SectionLight section_light(const PlaneSection *section, Vec3 lamp) {
     Vec3 to_light = vec3_subtract(lamp, section->corners);
     real height = vec3_dot(section->normal, to_light);
-    scalar distance = SCALAR_SQRT(real_reduce_max(vec3_dot(to_light, to_light)));
+    scalar distance = SCALAR_SQRT(real_reduce_max(vec3_dot(to_light, to_light))) + section->slack;
     scalar least = section->height + 2 * LEAVING_SLACK * distance;
     return real_reduce_min(height) > least    ? SECTION_LIT
            : real_reduce_max(height) < -least ? SECTION_DARK
@@ -227,9 +227,8 @@ static const PlaneEquation *plain_tile_plane(const Tracer *tracer, const Beam *b
 
 void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *beam,
                      const BeamCandidates *candidates, PlainTile *tile) {
-    tile->is_possible = !grid->path_hashes && !grid->ray_tree && !tracer->methods &&
-                        !tracer->textures.material_maps && !tracer->dielectrics.iors &&
-                        tracer->emitters.count == 0;
+    tile->is_possible = !grid->path_hashes && !grid->ray_tree && !tracer->textures.material_maps &&
+                        !tracer->dielectrics.iors && tracer->emitters.count == 0;
     if (tile->is_possible) {
         tile->candidates = *candidates;
         tile->plane = plain_tile_plane(tracer, beam, candidates);

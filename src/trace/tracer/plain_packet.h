@@ -16,8 +16,8 @@
 /** What all camera rays of a tile have in common. */
 typedef struct PlainTile {
     bool is_possible;           /**< Whether its packets may be plain: the scene has no transparent
-                                     shape, texture, visible lamp or report's method, and nothing is
-                                     recorded of the rays. Else, nothing else is set. */
+                                     shape, texture or visible lamp, and nothing is recorded of the
+                                     rays. Else, nothing else is set. */
     BeamCandidates candidates;  /**< The shapes that the rays may meet. */
     const PlaneEquation *plane; /**< The plane of a flat, matt shape that all rays meet first. Each
                                      lamp shines on all of what they meet, or on nothing of it: all
@@ -37,7 +37,7 @@ void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *be
  * @param[out] colors  The radiance that arrives along each ray; undefined if the packet is not
  * plain.
  * @param[in,out] counts  The shadow rays that were spared count as traced.
- * @param[out] only_shape  See #Packet.only_shape; set if the packet is not plain.
+ * @param[out] only_shape  See #Packet.only_shape.
  * @return Whether it is plain.
  */
 bool plain_packet_shade(const Tracer *tracer, const PlainTile *tile, const PixelGrid *grid,

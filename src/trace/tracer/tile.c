@@ -121,7 +121,9 @@ typedef struct TileSight {
 
 /** @return What the rays of a grid may meet. */
 static TileSight tile_sight_of(const Tracer *tracer, const PixelGrid *grid) {
-    TileSight sight = {.is_known = shape_set_is_list(&tracer->shapes) && !grid->selected};
+    // The reports' formulas hit beside their shapes: only the box of each hides that.
+    TileSight sight = {.is_known = shape_set_is_list(&tracer->shapes) && !grid->selected &&
+                                   !tracer->methods};
     if (sight.is_known) {
         sight.beam = camera_beam(&tracer->camera, grid, pixel_jitter_of(grid->sample));
         shape_set_find_in_beam(&tracer->shapes, &sight.beam, &sight.candidates);
@@ -129,12 +131,17 @@ static TileSight tile_sight_of(const Tracer *tracer, const PixelGrid *grid) {
     return sight;
 }
 
+/** @return The only shape that the rays of a tile may meet; NULL: nobody knows of one. */
+static const Shape *tile_only_shape(const TileSight *sight) {
+    return sight->is_known ? beam_only_shape(&sight->candidates) : NULL;
+}
+
 /** @return Whether all rays of a grid see the same light of the sky, and nothing else. */
 static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid,
                                const TileSight *sight) {
     return sight->is_known && sight->candidates.count == 0 && !tracer->sky.is_gradient &&
-           !tracer->textures.sky && tracer->emitters.count == 0 && !tracer->methods &&
-           !grid->path_hashes && !grid->ray_tree;
+           !tracer->textures.sky && tracer->emitters.count == 0 && !grid->path_hashes &&
+           !grid->ray_tree;
 }
 
 /** @return Whether the rays of a grid are no longer needed. */
@@ -177,7 +184,7 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, cons
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
     PlainTile plain = {.is_possible = false};
-    const Shape *only_shape = sight->is_known ? beam_only_shape(&sight->candidates) : NULL;
+    const Shape *only_shape = tile_only_shape(sight);
     if (LANES > 1 && sight->is_known) {
         plain_tile_find(tracer, grid, &sight->beam, &sight->candidates, &plain);
     }
@@ -229,8 +236,7 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
     Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
     // Without memory for wavefronts, the recursion gives the same picture more slowly.
     if (wavefront) {
-        const Shape *only_shape = sight.is_known ? beam_only_shape(&sight.candidates) : NULL;
-        trace_tile_wavefronts(tracer, grid, only_shape, wavefront, rgb, counts);
+        trace_tile_wavefronts(tracer, grid, tile_only_shape(&sight), wavefront, rgb, counts);
         wavefront_pool_give_back(tracer->wavefronts, wavefront);
     } else {
         trace_tile_packets(tracer, grid, &sight, rgb, counts);

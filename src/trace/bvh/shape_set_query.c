@@ -82,7 +82,7 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
     }
     const ShapeClass *class = shape->class;
     if (LANES > 1 && packet->has_beam) {
-        if (shape_misses(shape, &packet->beam)) {
+        if (shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
             return;
         }
         if (class->beam_hits && class->beam_hits(shape, packet, hits)) {

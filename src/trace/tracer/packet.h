@@ -71,8 +71,8 @@ struct Packet {
                                       distances. */
     bool has_beam;               /**< Whether all rays are within #beam. */
     Beam beam;                   /**< A beam of camera rays. */
-    const Shape *only_shape;     /**< The only shape that the rays of #beam may meet; NULL: nobody
-                                      knows. Read only with a beam. */
+    const Shape *only_shape;     /**< The only shape that #beam meets, as far as box and class tell;
+                                      NULL: nobody knows. Read only with a beam. */
     SampleContext context;       /**< The samples that the rays belong to. */
 };
 

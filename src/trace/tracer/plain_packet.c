@@ -261,7 +261,7 @@ bool plain_packet_shade(const Tracer *tracer, const PlainTile *tile, const Pixel
     const GridPosition first = grid_packet_position(grid, index);
     const bool is_whole = grid_has_whole_packet(grid, first);
     BeamCandidates candidates = tile->candidates;
-    *only_shape = beam_only_shape(&candidates);
+    *only_shape = NULL;
     if (!is_whole) {
         return false;
     }

@@ -131,11 +131,6 @@ static TileSight tile_sight_of(const Tracer *tracer, const PixelGrid *grid) {
     return sight;
 }
 
-/** @return The only shape that the rays of a tile may meet; NULL: nobody knows of one. */
-static const Shape *tile_only_shape(const TileSight *sight) {
-    return sight->is_known ? beam_only_shape(&sight->candidates) : NULL;
-}
-
 /** @return Whether all rays of a grid see the same light of the sky, and nothing else. */
 static bool tile_is_background(const Tracer *tracer, const PixelGrid *grid,
                                const TileSight *sight) {
@@ -149,10 +144,11 @@ static bool grid_is_stopped(const PixelGrid *grid) {
     return grid->is_stopped && grid->is_stopped(grid->stop_context);
 }
 
-/** Traces a grid of pixels as wavefronts. @param only_shape See #Packet.only_shape. */
-static __attribute__((noinline)) void
-trace_tile_wavefronts(const Tracer *tracer, const PixelGrid *grid, const Shape *only_shape,
-                      Wavefront *wavefront, double *rgb, RayCounts *counts) {
+/** Traces a grid of pixels as wavefronts. */
+static __attribute__((noinline)) void trace_tile_wavefronts(const Tracer *tracer,
+                                                            const PixelGrid *grid,
+                                                            Wavefront *wavefront, double *rgb,
+                                                            RayCounts *counts) {
     const PixelJitter jitter = pixel_jitter_of(grid->sample);
     int packet_count = grid_packet_count(grid);
     for (int first = 0; first < packet_count && !grid_is_stopped(grid);
@@ -164,7 +160,6 @@ trace_tile_wavefronts(const Tracer *tracer, const PixelGrid *grid, const Shape *
             count = left < WAVEFRONT_PACKETS ? left : WAVEFRONT_PACKETS;
         for (int i = 0; i < count; i++) {
             camera_rays_init(tracer, grid, jitter, first + i, NULL, NULL, &rays[i]);
-            rays[i].state.packet.only_shape = only_shape;
             packets[i].rays = &rays[i].state;
             packets[i].colors = colors[i];
         }
@@ -184,7 +179,7 @@ static void trace_tile_packets(const Tracer *tracer, const PixelGrid *grid, cons
                                  .ray_tree = grid->ray_tree};
     bool is_recorded = grid->path_hashes || grid->ray_tree;
     PlainTile plain = {.is_possible = false};
-    const Shape *only_shape = tile_only_shape(sight);
+    const Shape *only_shape = NULL;
     if (LANES > 1 && sight->is_known) {
         plain_tile_find(tracer, grid, &sight->beam, &sight->candidates, &plain);
     }
@@ -236,7 +231,7 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
     Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
     // Without memory for wavefronts, the recursion gives the same picture more slowly.
     if (wavefront) {
-        trace_tile_wavefronts(tracer, grid, tile_only_shape(&sight), wavefront, rgb, counts);
+        trace_tile_wavefronts(tracer, grid, wavefront, rgb, counts);
         wavefront_pool_give_back(tracer->wavefronts, wavefront);
     } else {
         trace_tile_packets(tracer, grid, &sight, rgb, counts);

@@ -15,8 +15,8 @@ typedef enum BoxCheck {
     BOX_PACKS,     /**< A pack has each box that a ray meets by the test of one box, and no lower
                         bound beyond its; random boxes and rays of any size. */
     BOX_INTERVALS, /**< The same for the intervals of a packet, and for those of a vector. */
-    BOX_SPHERES,   /**< A beam does not miss a sphere that one of its rays meets, hardly; but one that
-                        all of them miss by a little more, mostly. */
+    BOX_SPHERES, /**< A beam does not miss a sphere that one of its rays meets, hardly; but one that
+                      all of them miss by a little more, mostly. */
     BOX_CHECK_COUNT
 } BoxCheck;
 

@@ -23,7 +23,7 @@ enum { MOST = 40 };
 /** Columns of the smallest picture; it is half as high. */
 enum { SMALLEST = 80 };
 
-/** Pictures are up to 2^4 times as large. */
+/** Number of widths of pictures: each is twice the one before. */
 enum { WIDTHS = 5 };
 
 /** Half the edge of a room. */
@@ -270,11 +270,12 @@ static PixelGrid random_grid(uint64_t *state, int width, bool is_tile) {
 static void draw_room(const Engine *first, int room) {
     static double wanted[3 * MOST * MOST], got[3 * MOST * MOST];
     uint64_t state = (uint64_t)room;
-    Scene *scene = room % 16 >= 8 ? random_floor(&state) : random_room(&state);
+    const bool is_floor = room % 16 >= 8;
+    Scene *scene = is_floor ? random_floor(&state) : random_room(&state);
     // In a large picture, a part is a narrow beam that often sees one wall.
     const int width = room < ROOMS ? SMALLEST << (room / 16 % WIDTHS) : SMALLEST;
     PixelGrid grid = random_grid(&state, width, room / 16 % 2 == 1);
-    if (room % 16 >= 8) { // The middle of the picture is in it.
+    if (is_floor) { // The middle of the picture is in it.
         grid.x = width / 2 - (int)(grid.columns * grid.stride * random_unit_double(&state));
         grid.y = width / 4 - (int)(grid.rows * grid.stride * random_unit_double(&state));
     }

@@ -22,11 +22,19 @@ typedef struct Sphere {
     wide_scalar radius; /**< Radius. */
 } Sphere;
 
+/** A sphere, as the origins of LANES rays see it. */
+typedef struct SeenSphere {
+    Vec3w to_center;     /**< From the origin to the centre. */
+    wide center_power;   /**< The square of its length, less that of the radius. */
+    wide radius_squared; /**< The square of the radius. */
+} SeenSphere;
+
 /** The chords of LANES rays in a sphere. */
 typedef struct SphereRoots {
-    Vec3 mid_to_center; /**< From the middle of the chord to the centre. */
-    real half_chord;    /**< Half the chord, in lengths of the direction. */
-    mask is_outside;    /**< Whether the ray starts outside: the first root counts. */
+    const SeenSphere *seen; /**< For rays of a beam; not set for others. */
+    Vec3 mid_to_center;     /**< From the middle of the chord to the centre. */
+    real half_chord;        /**< Half the chord, in lengths of the direction. */
+    mask is_outside;        /**< Whether the ray starts outside: the first root counts. */
 } SphereRoots;
 
 /** See #ShapeClass.init. */
@@ -36,13 +44,6 @@ static void sphere_init(Shape *self, const void *parameters) {
     sphere->center = vec3sw_of(p->center);
     sphere->radius = (wide_scalar)p->radius;
 }
-
-/** A sphere, as the origins of LANES rays see it. */
-typedef struct SeenSphere {
-    Vec3w to_center;     /**< From the origin to the centre. */
-    wide center_power;   /**< The square of its length, less that of the radius. */
-    wide radius_squared; /**< The square of the radius. */
-} SeenSphere;
 
 /** @return A sphere as origins see it. */
 INLINE SeenSphere sphere_seen_from(const Sphere *sphere, Vec3 origin) {
@@ -77,7 +78,9 @@ INLINE mask seen_sphere_intersect(const SeenSphere *seen, const Ray *ray, mask a
     real sum = to_middle + real_select(is_ahead, half, -half);
     real quotient = narrow(seen->center_power * per_length_squared / widen(sum));
     real near = real_select(is_ahead, quotient, sum), far = real_select(is_ahead, sum, quotient);
-    *chord = (SphereRoots){vec3_narrow(mid_to_center), half, near > 0};
+    chord->mid_to_center = vec3_narrow(mid_to_center);
+    chord->half_chord = half;
+    chord->is_outside = near > 0;
     *distance = real_select(chord->is_outside, near, far);
     return crosses;
 }
@@ -111,22 +114,20 @@ static mask sphere_is_hit(const Shape *self, const Ray *ray, mask active, Hit *h
     return primitive_is_hit(self, ray, active, hit, sphere_intersect, sphere_surface, &roots);
 }
 
+/** #sphere_intersect for rays of a beam. See #IntersectFunction. */
+INLINE mask sphere_beam_intersect(const Shape *self, const Ray *ray, mask active, real *distance,
+                                  void *roots) {
+    (void)self;
+    return seen_sphere_intersect(((SphereRoots *)roots)->seen, ray, active, distance, roots);
+}
+
 /** Sees the sphere once for all rays: they start at one point. See #ShapeClass.beam_hits. */
 static bool sphere_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
     const SeenSphere seen = sphere_seen_from((const Sphere *)self, vec3_splat(packet->beam.origin));
+    SphereRoots roots = {.seen = &seen};
     for (int v = 0; v < PACKET_VECTORS; v++) {
-        const Ray *ray = &packet->rays[v];
-        SphereRoots roots;
-        real distance;
-        mask crosses = seen_sphere_intersect(&seen, ray, packet->active[v], &distance, &roots);
-        if (!any(crosses)) {
-            continue;
-        }
-        mask nearer = hit_is_nearer(&hits[v], crosses, distance, self->index);
-        if (any(nearer)) {
-            SurfacePoint surface = sphere_surface(self, ray, distance, &roots);
-            shape_update_hit(self, &hits[v], nearer, distance, &surface);
-        }
+        primitive_is_hit(self, &packet->rays[v], packet->active[v], &hits[v], sphere_beam_intersect,
+                         sphere_surface, &roots);
     }
     return true;
 }

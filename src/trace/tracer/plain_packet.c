@@ -259,10 +259,9 @@ bool plain_packet_shade(const Tracer *tracer, const PlainTile *tile, const Pixel
                         PixelJitter jitter, int index, Rgb *colors, RayCounts *counts,
                         const Shape **only_shape) {
     const GridPosition first = grid_packet_position(grid, index);
-    const bool is_whole = grid_has_whole_packet(grid, first);
     BeamCandidates candidates = tile->candidates;
     *only_shape = NULL;
-    if (!is_whole) {
+    if (!grid_has_whole_packet(grid, first)) {
         return false;
     }
     if (tile->plane) {

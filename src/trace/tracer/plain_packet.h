@@ -24,8 +24,8 @@ typedef struct PlainTile {
                                      whole packets are plain. NULL: nobody knows of such a plane. */
 } PlainTile;
 
-/** Finds what the rays of a tile have in common. @param beam Theirs. @param candidates The shapes
- *  that they may meet. */
+/** Finds what the rays of a tile have in common; not for the reports' methods. @param beam Theirs.
+ * @param candidates The shapes that they may meet. */
 void plain_tile_find(const Tracer *tracer, const PixelGrid *grid, const Beam *beam,
                      const BeamCandidates *candidates, PlainTile *tile);
 

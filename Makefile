@@ -261,9 +261,13 @@ $(ROOMS): $(ROOM_OBJECTS) $(COUNTERS_OBJECT)
 	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CFLAGS) $(COUNTERS_LINK) -shared -o $@ $^ $(LIBRARIES)
 WITH_ROOMS    := -L$(BUILD)/tests -lrooms -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..:$$ORIGIN/tests'
-$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) $(WORKER)
+# A program looks for its worker beside itself. One rule makes each link: test programs are made in parallel.
+WORKER_LINKS  := $(addsuffix /dioptre-worker,$(BUILD)/tests $(BUILD)/tests/bench)
+$(WORKER_LINKS): $(WORKER)
 	@mkdir -p $(@D)
-	@ln -sfr $(WORKER) $(@D)
+	@ln -sfr $< $@
+$(BUILD)/tests/%: tests/%.c $(wildcard tests/*.h) $(ROOMS) | $(WORKER_LINKS)
+	@mkdir -p $(@D)
 	$(call SAY,cc,$@)$(CC) $(CPPFLAGS) $(CFLAGS) $(call PKG_CFLAGS,cmocka) $(ROOM_CFLAGS) -Itests $(UNCOUNTED) $(TEST_COUNTERS) -o $@ $< $(WITH_ROOMS) $(LIBRARIES) $(call PKG_LIBS,cmocka)
 # Parts of an engine, checked at each number type and width: one object per engine, with one symbol.
 # $(eval $(call ENGINE_CHECKS,NAME)): the objects of tests/NAME/NAME.c are linked into tests/test_NAME.

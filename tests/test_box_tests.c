@@ -48,6 +48,12 @@ static void test_packs(void **state) {
 }
 
 /** @param state Not used. */
+static void test_quads(void **state) {
+    (void)state;
+    run_check(BOX_QUADS);
+}
+
+/** @param state Not used. */
 static void test_intervals(void **state) {
     (void)state;
     run_check(BOX_INTERVALS);
@@ -62,7 +68,8 @@ static void test_spheres(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orders), cmocka_unit_test(test_row), cmocka_unit_test(test_packs),
+        cmocka_unit_test(test_orders),    cmocka_unit_test(test_row),
+        cmocka_unit_test(test_packs),     cmocka_unit_test(test_quads),
         cmocka_unit_test(test_intervals), cmocka_unit_test(test_spheres)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 #include "../src/trace/bvh/bvh_build.c"
 #include "../src/trace/bvh/bvh_single.c"
 #include "../src/trace/bvh/bvh_split.c"
+#include "../src/trace/shapes/watertight.h"
 #include "../src/trace/tracer/packet.c"
 
 /** Number of boxes in a tree. */
@@ -264,6 +265,50 @@ static const char *check_packs(uint64_t seed) {
     return fault;
 }
 
+/** @return A ray to a corner of a quad, to the middle of an edge or between all corners. */
+static Ray ray_to_quad(uint64_t *seed, scalar scale, const Vertex *corners) {
+    const int last = (int)(4 * random_scalar(seed)),
+              count = (int[]){1, 2, QUAD_CORNERS}[(int)(3 * random_scalar(seed))];
+    scalar origin[3], direction[3];
+    for (int axis = 0; axis < 3; axis++) {
+        scalar sum = 0;
+        for (int i = 0; i < count; i++) {
+            sum += corners[(last + i) % QUAD_CORNERS].xyz[axis] / (scalar)count;
+        }
+        origin[axis] = random_coordinate(seed, scale);
+        direction[axis] = sum - origin[axis];
+    }
+    return ray_of((Vec3){real_of(origin[0]), real_of(origin[1]), real_of(origin[2])},
+                  (Vec3){real_of(direction[0]), real_of(direction[1]), real_of(direction[2])});
+}
+
+/** See #BOX_QUADS. */
+static const char *check_quads(uint64_t seed) {
+    size_t hits = 0;
+    for (size_t i = 0; i < CASES; i++) {
+        const scalar scale = scale_of(i);
+        Vertex vertices[QUAD_CORNERS];
+        for (int corner = 0; corner < QUAD_CORNERS; corner++) {
+            bool is_repeated = corner > 0 && random_scalar(&seed) < (scalar)0.125;
+            for (int axis = 0; axis < 3; axis++) {
+                vertices[corner].xyz[axis] =
+                    is_repeated ? vertices[corner - 1].xyz[axis] : random_coordinate(&seed, scale);
+            }
+        }
+        const bool is_aimed = random_scalar(&seed) < (scalar)0.75;
+        const Ray ray = is_aimed ? ray_to_quad(&seed, scale, vertices)
+                                 : random_rays(&seed, scale, random_lengths(&seed));
+        const QuadCorners corners = quad_corners_of(vertices);
+        const mask active = mask_of(random_scalar(&seed) < (scalar)0.875);
+        const mask contains = polygon_contains_ray(vertices, QUAD_CORNERS, &ray, active);
+        if (quad_contains_ray(&corners, &ray, active) != contains) {
+            return "a quad and its polygon are not met by the same rays";
+        }
+        hits += any(contains);
+    }
+    return hits > CASES / 8 && hits < CASES / 2 ? NULL : "rays hit too few quads or too many";
+}
+
 #else
 
 /** @return A packet of random rays that mostly go the same way along one axis. */
@@ -390,6 +435,7 @@ const BoxChecks CHECKS = {{
     [BOX_ROW] = check_row,
 #if LANES == 1
     [BOX_PACKS] = check_packs,
+    [BOX_QUADS] = check_quads,
 #else
     [BOX_INTERVALS] = check_intervals,
     [BOX_SPHERES] = check_spheres,

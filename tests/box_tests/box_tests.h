@@ -14,7 +14,10 @@ typedef enum BoxCheck {
                         one leaf. */
     BOX_PACKS,     /**< A pack has each box that a ray meets by the test of one box, and no lower
                         bound beyond its; random boxes and rays of any size. */
-    BOX_INTERVALS, /**< The same for the intervals of a packet, and for those of a vector. */
+    BOX_QUADS,     /**< One ray meets a quad, all of whose edges it passes at once, where it meets
+                        its polygon, edge by edge: through corners, along edges, beyond the range. */
+    BOX_INTERVALS, /**< The same as BOX_PACKS for the intervals of a packet, and for those of a
+                      vector. */
     BOX_SPHERES, /**< A beam does not miss a sphere that one of its rays meets, hardly; but one that
                       all of them miss by a little more, mostly. */
     BOX_CHECK_COUNT

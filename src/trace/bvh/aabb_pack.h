@@ -1,9 +1,9 @@
 /**
  * @file
  * @brief Boxes that are tested at once: LANES of them against a packet; in engines of one lane
- * eight against one ray, in vectors of 16 bytes.
+ * eight against one ray (pack.h).
  *
- * Quad tests boxes in float, as each of its own operations is a function. All that is rounded is
+ * Quad tests boxes in float. All that is rounded is
  * rounded so that a box is never missed: a shape more is tested now and then, and the picture has
  * the same bits. For double this would not pay: a shadow ray starts so near its surface that float
  * cannot tell it from the box of that.
@@ -12,6 +12,7 @@
 #define DIOPTRE_TRACE_BVH_AABB_PACK_H
 
 #include "trace/bvh/slab.h"
+#include "trace/math/pack.h"
 
 #include <float.h>
 
@@ -24,31 +25,8 @@ enum { AABB_PACK_SIZE = LANES };
 enum { AABB_PACK_SIZE = 8 };
 #endif
 
-#if REAL_BITS > 64
-/** A number of a box. */
-typedef float pack_scalar;
-#else
-/** A number of a box. */
-typedef scalar pack_scalar;
-#endif
-#if LANES > 1
-/** A number per box, for some boxes. */
-typedef real PackReal;
-/** A truth value per box. */
-typedef mask PackMask;
-#else
-/** A number per box, for some boxes: 16 bytes, the vectors of every processor of today. */
-typedef pack_scalar PackReal __attribute__((vector_size(16)));
-/** A truth value per box: 0 or all bits set. */
-typedef lane_integer PackMask __attribute__((vector_size(16)));
-#endif
-/** A #pack_scalar in memory. */
-typedef pack_scalar stored_pack_scalar __attribute__((may_alias));
-
-enum {
-    PACK_LANES = sizeof(PackReal) / sizeof(pack_scalar), /**< Number of boxes in a #PackReal. */
-    PACK_VECTORS = AABB_PACK_SIZE / PACK_LANES           /**< Number of those in a pack. */
-};
+/** Number of #PackReal with a number of each box. */
+enum { PACK_VECTORS = AABB_PACK_SIZE / PACK_LANES };
 
 /** A pack of boxes. */
 typedef union AabbPack {
@@ -87,29 +65,14 @@ INLINE pack_scalar pack_scalar_below(scalar x) {
 /** Sets a box. @param i Its index in the pack. */
 INLINE void aabb_pack_set(AabbPack *pack, size_t i, Aabbs box) {
     for (int axis = 0; axis < 3; axis++) {
-        ((stored_pack_scalar *)pack->planes[axis])[i] = pack_scalar_below(box.low[axis]);
-        ((stored_pack_scalar *)pack->planes[axis + 3])[i] = pack_scalar_above(box.high[axis]);
+        pack_set_lane(pack->planes[axis], (int)i, pack_scalar_below(box.low[axis]));
+        pack_set_lane(pack->planes[axis + 3], (int)i, pack_scalar_above(box.high[axis]));
     }
-}
-
-/** @return The number of a box. @param i Its index in the pack. */
-INLINE pack_scalar pack_lane(const PackReal numbers[PACK_VECTORS], int i) {
-    return ((const stored_pack_scalar *)numbers)[i];
 }
 
 /** @return Number of packs for a number of boxes. */
 static inline size_t aabb_pack_count(size_t count) {
     return (count + AABB_PACK_SIZE - 1) / AABB_PACK_SIZE;
-}
-
-/** @return The smaller number per box, like #real_min. */
-INLINE PackReal pack_min(PackReal a, PackReal b) {
-    return PACK_MIN(a, b);
-}
-
-/** @return The larger number per box, like #real_max. */
-INLINE PackReal pack_max(PackReal a, PackReal b) {
-    return PACK_MAX(a, b);
 }
 
 /** A ray along an axis, as boxes meet it. */

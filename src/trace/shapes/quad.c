@@ -10,10 +10,10 @@
 
 /** A quad. @extends Shape */
 typedef struct Quad {
-    Shape base;                   /**< Base. */
-    PlaneEquation plane;          /**< The plane of the quad; its normal is u x v. */
-    Vertex corners[QUAD_CORNERS]; /**< Corners, in turn. */
-    PolygonEdges edges;           /**< The edges between them. */
+    Shape base;          /**< Base. */
+    PlaneEquation plane; /**< The plane of the quad; its normal is u x v. */
+    QuadCorners corners; /**< Its corners. */
+    PolygonEdges edges;  /**< The edges between them. */
 } Quad;
 
 /** See #ShapeClass.init. */
@@ -23,11 +23,10 @@ static void quad_init(Shape *self, const void *parameters) {
     Vec3d next = vec3d_add(p->corner, p->u), last = vec3d_add(p->corner, p->v);
     Vec3sw u = vec3sw_of(vec3d_scale_exponent(p->u)), v = vec3sw_of(vec3d_scale_exponent(p->v));
     quad->plane = plane_equation_of(p->corner, vec3sw_cross(u, v));
-    quad->corners[0] = vertex_of(p->corner);
-    quad->corners[1] = vertex_of(next);
-    quad->corners[2] = vertex_of(vec3d_add(next, p->v));
-    quad->corners[3] = vertex_of(last);
-    quad->edges = quad_edges_of(quad->corners);
+    const Vertex corners[QUAD_CORNERS] = {vertex_of(p->corner), vertex_of(next),
+                                          vertex_of(vec3d_add(next, p->v)), vertex_of(last)};
+    quad->corners = quad_corners_of(corners);
+    quad->edges = quad_edges_of(corners);
 }
 
 /** Finds rays whose line passes inside the edges. See #IntersectFunction. */
@@ -35,7 +34,7 @@ INLINE mask quad_intersect(const Shape *self, const Ray *ray, mask active, real 
                            void *roots) {
     (void)roots;
     const Quad *quad = (const Quad *)self;
-    mask inside = polygon_contains_ray(quad->corners, QUAD_CORNERS, ray, active);
+    mask inside = quad_contains_ray(&quad->corners, ray, active);
     if (any(inside)) {
         *distance = plane_equation_distance(&quad->plane, ray);
     }
@@ -89,16 +88,16 @@ static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, re
 
 /** See #ShapeClass.bounds. */
 static Aabbs quad_bounds(const Shape *self) {
-    return vertices_bounds(((const Quad *)self)->corners, QUAD_CORNERS);
+    return vertices_bounds(((const Quad *)self)->corners.vertices, QUAD_CORNERS);
 }
 
 /** @return Coordinates of points along the edges u and v. See #ShapeClass.texture_uv. */
 static TextureUv quad_texture_uv(const Shape *self, const Hit *hit, mask lanes) {
     (void)lanes;
     const Quad *quad = (const Quad *)self;
-    Vec3sw corner = vertex_widen(quad->corners[0]);
-    Vec3sw u = vec3sw_subtract(vertex_widen(quad->corners[1]), corner);
-    Vec3sw v = vec3sw_subtract(vertex_widen(quad->corners[3]), corner);
+    Vec3sw corner = vertex_widen(quad->corners.vertices[0]);
+    Vec3sw u = vec3sw_subtract(vertex_widen(quad->corners.vertices[1]), corner);
+    Vec3sw v = vec3sw_subtract(vertex_widen(quad->corners.vertices[3]), corner);
     DualBasis dual_basis = dual_basis_of(u, v);
     Vec3w from_corner = vec3w_subtract(vec3_widen(hit->point), vec3w_splat(corner));
     return (TextureUv){.u = narrow(vec3w_dot(from_corner, vec3w_splat(dual_basis.first))),

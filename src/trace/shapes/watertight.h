@@ -12,6 +12,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 #define DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 
+#include "trace/math/pack.h"
 #include "trace/tracer/packet.h"
 
 /** A vertex in the engine's number type. */
@@ -154,14 +155,88 @@ INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *r
     return inside;
 }
 
+/** Corners of a quad. */
+enum { QUAD_CORNERS = 4 };
+
+#if LANES == 1 && REAL_BITS <= 64
+
+/** Number of packs with a number of each corner. */
+enum { QUAD_PACKS = QUAD_CORNERS / PACK_LANES };
+
+/** The corners of a quad. */
+typedef struct QuadCorners {
+    Vertex vertices[QUAD_CORNERS]; /**< The corners, in turn. */
+    PackReal xyz[3][QUAD_PACKS];   /**< The same along x, y and z. */
+} QuadCorners;
+
+/** @return The corners of a quad. @param vertices In turn. */
+static inline QuadCorners quad_corners_of(const Vertex vertices[QUAD_CORNERS]) {
+    QuadCorners corners;
+    for (int i = 0; i < QUAD_CORNERS; i++) {
+        corners.vertices[i] = vertices[i];
+        for (int axis = 0; axis < 3; axis++) {
+            pack_set_lane(corners.xyz[axis], i, vertices[i].xyz[axis]);
+        }
+    }
+    return corners;
+}
+
+/** @return Of each corner the number of the next one. @param i Which of the packs. */
+INLINE PackReal quad_pack_next(const PackReal packs[QUAD_PACKS], int i) {
+#if REAL_BITS == 32
+    return __builtin_shufflevector(packs[i], packs[i], 1, 2, 3, 0);
+#else
+    return __builtin_shufflevector(packs[i], packs[1 - i], 1, 2);
+#endif
+}
+
+/** #polygon_contains_ray for a quad: the ray passes all edges at once, with the same bits. */
+INLINE mask quad_contains_ray(const QuadCorners *corners, const Ray *ray, mask active) {
+    const int axis = ray_dominant_axis(&ray->direction, 0);
+    const RayShear shear = ray_shear_of(ray, axis);
+    const PackReal *x = corners->xyz[(axis + 1) % 3], *y = corners->xyz[(axis + 2) % 3],
+                   *z = corners->xyz[axis];
+    PackReal u[QUAD_PACKS], v[QUAD_PACKS], side;
+    for (int i = 0; i < QUAD_PACKS; i++) {
+        PackReal depth = z[i] - shear.origin.z;
+        u[i] = (x[i] - shear.origin.x) - shear.shear_x * depth;
+        v[i] = (y[i] - shear.origin.y) - shear.shear_y * depth;
+    }
+    unsigned below = 0, above = 0;
+    for (int i = 0; i < QUAD_PACKS; i++) {
+        side = u[i] * quad_pack_next(v, i) - v[i] * quad_pack_next(u, i);
+        below |= PACK_BITS(side < 0);
+        above |= PACK_BITS(side > 0);
+    }
+    // edge_functions_contain_ray() ignores a NaN, but not that of the last edge.
+    const pack_scalar last = side[PACK_LANES - 1];
+    return active & (last == last) & ((below == 0) ^ (above == 0));
+}
+
+#else
+
+/** The corners of a quad. */
+typedef struct QuadCorners {
+    Vertex vertices[QUAD_CORNERS]; /**< The corners, in turn. */
+} QuadCorners;
+
+/** @return The corners of a quad. @param vertices In turn. */
+static inline QuadCorners quad_corners_of(const Vertex vertices[QUAD_CORNERS]) {
+    return (QuadCorners){{vertices[0], vertices[1], vertices[2], vertices[3]}};
+}
+
+/** #polygon_contains_ray for a quad. */
+INLINE mask quad_contains_ray(const QuadCorners *corners, const Ray *ray, mask active) {
+    return polygon_contains_ray(corners->vertices, QUAD_CORNERS, ray, active);
+}
+
+#endif
+
 /** The edges of a polygon of four corners, one in each of the first lanes. */
 typedef struct PolygonEdges {
     Vec3 from; /**< Where they start. */
     Vec3 to;   /**< Where they end. */
 } PolygonEdges;
-
-/** Corners of a quad. */
-enum { QUAD_CORNERS = 4 };
 
 /** @return The edges of a quad; further lanes repeat them. @param corners In turn. */
 static inline PolygonEdges quad_edges_of(const Vertex *corners) {

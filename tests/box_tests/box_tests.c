@@ -410,7 +410,7 @@ static Vec3sw sphere_beside(uint64_t *seed, const Beam *beam, scalar distance) {
 
 /** See #BOX_SPHERES. */
 static const char *check_spheres(uint64_t seed) {
-    const scalar little = 64 * NARROW_BEAM_SLACK;
+    const scalar little = 64 * SPHERE_SLACK;
     size_t missed = 0;
     for (size_t i = 0; i < CASES; i++) {
         const Beam beam = random_beam(&seed);
@@ -423,6 +423,74 @@ static const char *check_spheres(uint64_t seed) {
         missed += beam_misses_sphere(&beam, beyond, radius);
     }
     return missed > CASES / 2 ? NULL : "spheres beside beams are not missed";
+}
+
+/** Rays from a box to a point. */
+typedef struct Shaft {
+    Vec3s middle; /**< The middle of the box. */
+    Vec3s half;   /**< Half its size. */
+    Vec3s target; /**< The point. */
+} Shaft;
+
+/** @return Random rays to a point; some have all one origin. */
+static Shaft random_shaft(uint64_t *seed) {
+    const scalar size = random_scalar(seed) < (scalar)0.25 ? 0 : random_scalar(seed) / 4;
+    const scalar x = random_scalar(seed), y = random_scalar(seed);
+    const Vec3s half = {size * x, size * y, size * random_scalar(seed)};
+    return (Shaft){random_vector(seed), half, vec3s_scale(random_vector(seed), 8)};
+}
+
+/** @return The intervals of rays from a box to a point. */
+static PacketIntervals shaft_intervals(const Shaft *shaft) {
+    const Vec3 target = vec3_splat(shaft->target), middle = vec3_splat(shaft->middle),
+               half = vec3_splat(shaft->half);
+    return intervals_to_point(vec3_subtract(middle, half), vec3_add(middle, half), &target, 1);
+}
+
+/** @return The centre of a sphere beside a ray to a point. @param distance From the ray. */
+static Vec3sw sphere_at_ray(uint64_t *seed, const Shaft *shaft, scalar distance) {
+    const scalar x = random_scalar(seed) < (scalar)0.5 ? 1 : -1,
+                 y = random_scalar(seed) < (scalar)0.5 ? 1 : -1;
+    Vec3s corner = {shaft->half.x * x, shaft->half.y * y, shaft->half.z};
+    Vec3s origin = vec3s_add(shaft->middle, corner);
+    Vec3s to_target = vec3s_add(shaft->target, vec3s_scale(origin, -1));
+    Vec3s beside = vec3s_add(vec3s_scale(to_target, random_scalar(seed)),
+                             vector_across(random_vector(seed), to_target, distance));
+    return vec3s_widen(vec3s_add(origin, beside));
+}
+
+/** @return The centre of a sphere beside the cone around the ball around the origins. @param
+ *  distance From the cone, outwards. */
+static Vec3sw sphere_at_cone(uint64_t *seed, const Shaft *shaft, scalar distance) {
+    const Vec3s axis = vec3s_add(shaft->middle, vec3s_scale(shaft->target, -1));
+    const scalar length = SCALAR_SQRT(vec3s_dot(axis, axis)),
+                 ball = SCALAR_SQRT(vec3s_dot(shaft->half, shaft->half)), sine = ball / length,
+                 cosine = SCALAR_SQRT(1 - sine * sine);
+    const Vec3s forward = vec3s_scale(axis, 1 / length),
+                across = vector_across(random_vector(seed), axis, 1);
+    const Vec3s side = vec3s_add(vec3s_scale(forward, cosine), vec3s_scale(across, sine)),
+                outwards = vec3s_add(vec3s_scale(forward, -sine), vec3s_scale(across, cosine));
+    const Vec3s from_target =
+        vec3s_add(vec3s_scale(side, length * random_scalar(seed)), vec3s_scale(outwards, distance));
+    return vec3s_widen(vec3s_add(shaft->target, from_target));
+}
+
+/** See #BOX_SHAFTS. */
+static const char *check_shafts(uint64_t seed) {
+    const scalar little = 128 * SPHERE_SLACK;
+    size_t missed = 0;
+    for (size_t i = 0; i < CASES; i++) {
+        const Shaft shaft = random_shaft(&seed);
+        const PacketIntervals intervals = shaft_intervals(&shaft);
+        const scalar radius = random_scalar(&seed) + (scalar)0.01;
+        Vec3sw touching = sphere_at_ray(&seed, &shaft, radius * (1 - 4 * ROUNDOFF)),
+               beyond = sphere_at_cone(&seed, &shaft, radius + little);
+        if (intervals_miss_sphere(&intervals, touching, (wide_scalar)radius)) {
+            return "a sphere in the way of rays to a point is missed";
+        }
+        missed += intervals_miss_sphere(&intervals, beyond, (wide_scalar)radius);
+    }
+    return missed > CASES / 2 ? NULL : "spheres beside rays to a point are not missed";
 }
 
 #endif
@@ -439,5 +507,6 @@ const BoxChecks CHECKS = {{
 #else
     [BOX_INTERVALS] = check_intervals,
     [BOX_SPHERES] = check_spheres,
+    [BOX_SHAFTS] = check_shafts,
 #endif
 }};

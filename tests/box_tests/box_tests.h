@@ -20,6 +20,7 @@ typedef enum BoxCheck {
                       vector. */
     BOX_SPHERES, /**< A beam does not miss a sphere that one of its rays meets, hardly; but one that
                       all of them miss by a little more, mostly. */
+    BOX_SHAFTS,  /**< The same for rays to a point. */
     BOX_CHECK_COUNT
 } BoxCheck;
 

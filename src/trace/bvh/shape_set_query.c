@@ -41,14 +41,22 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
-/** @return The bits of the candidates without a shape. @param remaining Those with it. @param
- * excluded The shape; NULL: there is none. */
-INLINE unsigned candidates_without(const ShapeSet *set, size_t pack, unsigned remaining,
-                                   const Shape *excluded) {
-    unsigned others = remaining;
-    for (; excluded && remaining; remaining &= remaining - 1) {
+/** @return Whether all rays surely miss a shape. @param intervals Those of the rays. */
+INLINE bool shape_misses_intervals(const Shape *shape, const PacketIntervals *intervals) {
+    return intervals->has_region && shape->class->misses_to_point &&
+           shape->class->misses_to_point(shape, intervals);
+}
+
+/** @return The bits of the candidates that may occlude rays: without those that all rays miss.
+ *  @param excluded Another shape that they miss; NULL: there is none. */
+INLINE unsigned occluding_candidates(const ShapeSet *set, const PacketIntervals *intervals,
+                                     size_t pack, const Shape *excluded) {
+    unsigned remaining = linear_candidates(set, intervals, pack).remaining, others = remaining;
+    for (; remaining; remaining &= remaining - 1) {
         int i = __builtin_ctz(remaining);
-        others &= linear_shape(set, pack, i) == excluded ? ~(1u << i) : ~0u;
+        const Shape *shape = linear_shape(set, pack, i);
+        bool is_missed = shape == excluded || shape_misses_intervals(shape, intervals);
+        others &= is_missed ? ~(1u << i) : ~0u;
     }
     return others;
 }
@@ -290,8 +298,7 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
                         const Shape *excluded) {
     bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t pack = 0; !may_meet && pack < aabb_pack_count(set->linear_count); pack++) {
-        unsigned remaining = linear_candidates(set, intervals, pack).remaining;
-        may_meet = candidates_without(set, pack, remaining, excluded) != 0;
+        may_meet = occluding_candidates(set, intervals, pack, excluded) != 0;
     }
     return may_meet;
 }
@@ -371,8 +378,7 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
         occluded[v] = mask_of(false);
     }
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
-        unsigned remaining = candidates_without(
-            set, pack, linear_candidates(set, &intervals, pack).remaining, excluded);
+        unsigned remaining = occluding_candidates(set, &intervals, pack, excluded);
         for (; remaining; remaining &= remaining - 1) {
             shape_occluded(linear_shape(set, pack, __builtin_ctz(remaining)), packet, occluded);
         }

@@ -15,6 +15,7 @@
 typedef struct Shape Shape;
 typedef struct Packet Packet;
 typedef struct Beam Beam;
+typedef struct PacketIntervals PacketIntervals;
 typedef struct PlaneEquation PlaneEquation;
 typedef struct MeshBvhCache MeshBvhCache;
 
@@ -119,6 +120,9 @@ typedef struct ShapeClass {
 
     /** @return Whether all rays of a beam surely miss the shape. NULL: only its box tells. */
     bool (*misses)(const Shape *self, const Beam *beam);
+
+    /** @return Whether all rays to a point surely miss the shape. NULL: only its box tells. */
+    bool (*misses_to_point)(const Shape *self, const PacketIntervals *intervals);
 
     /** @return Whether the lines of all rays of a beam surely meet it. NULL: nobody knows. */
     bool (*covers)(const Shape *self, const Beam *beam);

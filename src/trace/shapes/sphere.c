@@ -157,6 +157,12 @@ static bool sphere_misses(const Shape *self, const Beam *beam) {
     return beam_misses_sphere(beam, sphere->center, sphere->radius);
 }
 
+/** See #ShapeClass.misses_to_point. */
+static bool sphere_misses_to_point(const Shape *self, const PacketIntervals *intervals) {
+    const Sphere *sphere = (const Sphere *)self;
+    return intervals_miss_sphere(intervals, sphere->center, sphere->radius);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs sphere_bounds(const Shape *self) {
     const Sphere *sphere = (const Sphere *)self;
@@ -187,6 +193,7 @@ const ShapeClass sphere_class = {
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
     .misses = METHOD_OF_BEAMS(sphere_misses),
+    .misses_to_point = METHOD_OF_BEAMS(sphere_misses_to_point),
     .beam_hits = METHOD_OF_BEAMS(sphere_beam_hits),
     .bounds = sphere_bounds,
     .texture_uv = sphere_texture_uv,

@@ -91,7 +91,8 @@ PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scala
                                           axis_interval_to_point(low.y, high.y, end[1]),
                                           axis_interval_to_point(low.z, high.z, end[2])},
                                  .limit = limit,
-                                 .has_region = limit <= 1};
+                                 .has_region = limit <= 1,
+                                 .target = {end[0], end[1], end[2]}};
     for (int axis = 0; axis < 3; axis++) {
         const AxisInterval *interval = &intervals.axis[axis];
         scalar lowest = interval->origin_low < end[axis] ? interval->origin_low : end[axis];
@@ -159,10 +160,26 @@ bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
     real along_normal = vec3_dot(normal, to_center);
     real outwards = real_select(vec3_dot(normal, axis) > 0, -along_normal, along_normal);
     // How far rays may be beside the beam, and the roundings here and of the sphere's own test.
-    real slack = NARROW_BEAM_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) *
-                 (vec3_abs_sum(to_center) + r);
+    real slack =
+        SPHERE_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) * (vec3_abs_sum(to_center) + r);
     mask is_beside = outwards > r * real_sqrt(vec3_dot(normal, normal)) + slack;
     return beam_is_narrow(beam) && any(is_beside);
+}
+
+bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius) {
+    const AxisInterval *axis = intervals->axis;
+    const Vec3sw target = vec3s_widen(intervals->target),
+                 low = {axis[0].origin_low, axis[1].origin_low, axis[2].origin_low},
+                 high = {axis[0].origin_high, axis[1].origin_high, axis[2].origin_high},
+                 half = vec3sw_scale(vec3sw_subtract(high, low), (wide_scalar)0.5),
+                 a = vec3sw_subtract(vec3sw_subtract(high, half), target),
+                 b = vec3sw_subtract(center, target);
+    const scalar slack =
+        SPHERE_SLACK * (vec3s_abs_sum(vec3s_narrow(a)) + vec3s_abs_sum(vec3s_narrow(b)));
+    const wide_scalar ball_squared = vec3sw_dot(half, half), ball = WIDE_SQRT(ball_squared),
+                      r = radius + (wide_scalar)slack, a_along = vec3sw_dot(a, a) - ball_squared,
+                      b_along = vec3sw_dot(b, b) - r * r;
+    return a_along > 0 && b_along > 0 && vec3sw_dot(a, b) + ball * r < WIDE_SQRT(a_along * b_along);
 }
 
 PacketIntervals beam_intervals(const Beam *beam) {

@@ -108,14 +108,15 @@ typedef struct AxisInterval {
 } AxisInterval;
 
 /** The intervals that contain all active rays of a packet. */
-typedef struct PacketIntervals {
+struct PacketIntervals {
     AxisInterval axis[3]; /**< Along x, y and z. */
     scalar limit;         /**< The largest limit. */
     bool has_region;      /**< Whether there is a #region: rays that end at a point, or before it,
                                have one. */
     Aabbs region; /**< A box that contains all rays from their origins to the point, enlarged
                        by roundings. */
-} PacketIntervals;
+    Vec3s target; /**< That point. */
+};
 
 /** Replaces the colours and losses of some rays. @param lanes Those. */
 INLINE void results_replace(const mask *lanes, const Rgb *new_colors, const Losses *new_losses,
@@ -163,6 +164,11 @@ PacketIntervals packet_vector_intervals(const Packet *packet, int v);
  *  up to three times its own; and a quarter of this is left for roundings. */
 #define NARROW_BEAM_SLACK (4 * BEAM_SLACK)
 
+/** How far a ray may be beside a sphere that it meets by the sphere's own test, in lengths of the
+ *  ray: beside what a narrow beam has, the square of the distance between both has some roundings
+ *  of the wide precision, 2^-53, and this is more than their root. */
+#define SPHERE_SLACK (NARROW_BEAM_SLACK > (scalar)0x1p-22 ? NARROW_BEAM_SLACK : (scalar)0x1p-22)
+
 /** @return Whether a beam is narrow: no direction is shorter than half its axis. */
 bool beam_is_narrow(const Beam *beam);
 
@@ -183,6 +189,20 @@ bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius);
 /** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays
  *          go both ways clips nothing. */
 PacketIntervals beam_intervals(const Beam *beam);
+
+/**
+ * @return Whether rays to a point surely miss a sphere.
+ *
+ * From the point, the ball around the origins has a direction a and an apparent radius of angle
+ * alpha, the sphere b and beta. Both are apart if the angle between a and b is larger than alpha +
+ * beta, that is, its cosine smaller:
+ *
+ *     a . b < |a| |b| (cos alpha cos beta - sin alpha sin beta)
+ *
+ * With |a| sin alpha and |b| sin beta, the radii, that takes one root (shaft culling: Haines,
+ * Wallace, *Shaft Culling for Efficient Ray-Cast Radiosity*, 1991).
+ */
+bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius);
 
 /**
  * @return The boxes that rays within the intervals may hit; set where that cannot be excluded.

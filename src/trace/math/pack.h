@@ -1,10 +1,9 @@
 /**
  * @file
- * @brief Packs: several numbers that one ray needs, side by side; boxes or the corners of a
- * polygon.
+ * @brief Packs: numbers of several boxes, or of the corners of a polygon, side by side.
  *
  * In engines of several lanes a pack is a vector. Engines of one lane have packs of 16 bytes, the
- * vectors of every processor of today: of float, too, in quad, each of whose operations is a
+ * vectors of every processor of today; quad has packs of float, as each of its own operations is a
  * function.
  */
 #ifndef DIOPTRE_TRACE_MATH_PACK_H

@@ -169,8 +169,10 @@ bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
 bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius) {
     const AxisInterval *axis = intervals->axis;
     const Vec3sw target = vec3s_widen(intervals->target),
-                 low = {axis[0].origin_low, axis[1].origin_low, axis[2].origin_low},
-                 high = {axis[0].origin_high, axis[1].origin_high, axis[2].origin_high},
+                 low = vec3s_widen(
+                     (Vec3s){axis[0].origin_low, axis[1].origin_low, axis[2].origin_low}),
+                 high = vec3s_widen(
+                     (Vec3s){axis[0].origin_high, axis[1].origin_high, axis[2].origin_high}),
                  half = vec3sw_scale(vec3sw_subtract(high, low), (wide_scalar)0.5),
                  a = vec3sw_subtract(vec3sw_subtract(high, half), target),
                  b = vec3sw_subtract(center, target);

@@ -200,7 +200,8 @@ PacketIntervals beam_intervals(const Beam *beam);
  *     a . b < |a| |b| (cos alpha cos beta - sin alpha sin beta)
  *
  * With |a| sin alpha and |b| sin beta, the radii, that takes one root (shaft culling: Haines,
- * Wallace, *Shaft Culling for Efficient Ray-Cast Radiosity*, 1991).
+ * Wallace, *Shaft Culling for Efficient Ray-Cast Radiosity*, 1991). The wide precision holds the
+ * product of four lengths, as those of a scene are at most #LENGTH_MAXIMUM.
  */
 bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius);
 

@@ -3,8 +3,8 @@
  * @brief Packs: numbers of several boxes, or of the corners of a polygon, side by side.
  *
  * In engines of several lanes a pack is a vector. Engines of one lane have packs of 16 bytes, the
- * vectors of every processor of today; quad has packs of float, as each of its own operations is a
- * function.
+ * vectors of every processor of today. That of quadruple precision has packs of float: each
+ * operation on its own numbers is a call.
  */
 #ifndef DIOPTRE_TRACE_MATH_PACK_H
 #define DIOPTRE_TRACE_MATH_PACK_H

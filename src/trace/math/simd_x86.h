@@ -144,13 +144,13 @@ static inline __attribute__((always_inline)) void lanes_compress(double *to, __m
 #define LANES_MAX(a, b) ((a) > (b) ? (a) : (b))
 #endif
 
-// Engines of one lane test a few boxes at once, quad in float: see bvh/aabb_pack.h.
+// Packs of a few numbers: see math/pack.h.
 #if LANES > 1
-/** The minimum per box; b if either is NaN. */
+/** The minimum per number; b if either is NaN. */
 #define PACK_MIN(a, b) LANES_MIN(a, b)
-/** The maximum per box; b if either is NaN. */
+/** The maximum per number; b if either is NaN. */
 #define PACK_MAX(a, b) LANES_MAX(a, b)
-/** Bit i set where the truth value of box i is. */
+/** Bit i set where truth value i is. */
 #define PACK_BITS(m) mask_bits(m)
 #elif REAL_BITS == 64 && defined(__SSE2__)
 #define PACK_MIN(a, b) (PackReal) _mm_min_pd((__m128d)(a), (__m128d)(b))

@@ -121,7 +121,8 @@ typedef struct ShapeClass {
     /** @return Whether all rays of a beam surely miss the shape. NULL: only its box tells. */
     bool (*misses)(const Shape *self, const Beam *beam);
 
-    /** @return Whether all rays to a point surely miss the shape. NULL: only its box tells. */
+    /** @return Whether all rays to a point surely miss the shape. NULL: only its box tells. @param
+     *  intervals Those of the rays; they have a #PacketIntervals.region. */
     bool (*misses_to_point)(const Shape *self, const PacketIntervals *intervals);
 
     /** @return Whether the lines of all rays of a beam surely meet it. NULL: nobody knows. */
@@ -149,7 +150,8 @@ typedef struct ShapeClass {
     const ShapeExtension *extension; /**< Methods of shapes that are no primitives; NULL: none. */
 } ShapeClass;
 
-/** A method of #ShapeClass that is for beams only: engines of one lane have none. */
+/** A method of #ShapeClass that is for beams and packets of several rays only: engines of one lane
+ *  have none. */
 #define METHOD_OF_BEAMS(method) (LANES > 1 ? (method) : NULL)
 
 /** Base of all shapes: their objects start with it. */

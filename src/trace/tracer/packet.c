@@ -160,8 +160,8 @@ bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
     real along_normal = vec3_dot(normal, to_center);
     real outwards = real_select(vec3_dot(normal, axis) > 0, -along_normal, along_normal);
     // How far rays may be beside the beam, and the roundings here and of the sphere's own test.
-    real slack =
-        SPHERE_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) * (vec3_abs_sum(to_center) + r);
+    real slack = NARROW_BEAM_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) *
+                 (vec3_abs_sum(to_center) + r);
     mask is_beside = outwards > r * real_sqrt(vec3_dot(normal, normal)) + slack;
     return beam_is_narrow(beam) && any(is_beside);
 }
@@ -174,10 +174,11 @@ bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide
                  high = vec3s_widen(
                      (Vec3s){axis[0].origin_high, axis[1].origin_high, axis[2].origin_high}),
                  half = vec3sw_scale(vec3sw_subtract(high, low), (wide_scalar)0.5),
-                 a = vec3sw_subtract(vec3sw_subtract(high, half), target),
+                 // The target first: then all roundings are relative to lengths of rays.
+        a = vec3sw_subtract(vec3sw_subtract(high, target), half),
                  b = vec3sw_subtract(center, target);
     const scalar slack =
-        SPHERE_SLACK * (vec3s_abs_sum(vec3s_narrow(a)) + vec3s_abs_sum(vec3s_narrow(b)));
+        COSINE_SLACK * (vec3s_abs_sum(vec3s_narrow(a)) + vec3s_abs_sum(vec3s_narrow(b)));
     const wide_scalar ball_squared = vec3sw_dot(half, half), ball = WIDE_SQRT(ball_squared),
                       r = radius + (wide_scalar)slack, a_along = vec3sw_dot(a, a) - ball_squared,
                       b_along = vec3sw_dot(b, b) - r * r;

@@ -115,7 +115,7 @@ struct PacketIntervals {
                                have one. */
     Aabbs region; /**< A box that contains all rays from their origins to the point, enlarged
                        by roundings. */
-    Vec3s target; /**< That point. */
+    Vec3s target; /**< That point; set only with a region. */
 };
 
 /** Replaces the colours and losses of some rays. @param lanes Those. */
@@ -164,10 +164,9 @@ PacketIntervals packet_vector_intervals(const Packet *packet, int v);
  *  up to three times its own; and a quarter of this is left for roundings. */
 #define NARROW_BEAM_SLACK (4 * BEAM_SLACK)
 
-/** How far a ray may be beside a sphere that it meets by the sphere's own test, in lengths of the
- *  ray: beside what a narrow beam has, the square of the distance between both has some roundings
- *  of the wide precision, 2^-53, and this is more than their root. */
-#define SPHERE_SLACK (NARROW_BEAM_SLACK > (scalar)0x1p-22 ? NARROW_BEAM_SLACK : (scalar)0x1p-22)
+/** Slack of intervals_miss_sphere(), in lengths of the rays: it compares cosines, and roundings of
+ * the wide precision, 2^-53, hide angles up to a few times their root, 2^-26. */
+#define COSINE_SLACK (NARROW_BEAM_SLACK > (scalar)0x1p-22 ? NARROW_BEAM_SLACK : (scalar)0x1p-22)
 
 /** @return Whether a beam is narrow: no direction is shorter than half its axis. */
 bool beam_is_narrow(const Beam *beam);
@@ -200,8 +199,10 @@ PacketIntervals beam_intervals(const Beam *beam);
  *     a . b < |a| |b| (cos alpha cos beta - sin alpha sin beta)
  *
  * With |a| sin alpha and |b| sin beta, the radii, that takes one root (shaft culling: Haines,
- * Wallace, *Shaft Culling for Efficient Ray-Cast Radiosity*, 1991). The wide precision holds the
- * product of four lengths, as those of a scene are at most #LENGTH_MAXIMUM.
+ * Wallace, *Shaft Culling for Efficient Ray-Cast Radiosity*, 1991). The product of four lengths
+ * does not overflow: |b| is at most a few times #LENGTH_MAXIMUM, and where |a| is 2^22 times as
+ * long, the slack alone exceeds |b|.
+ * @param intervals Those of rays with a #PacketIntervals.region.
  */
 bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius);
 

@@ -165,8 +165,10 @@ static const char *check_row(uint64_t seed) {
     return fault;
 }
 
-/** Number of random cases. */
-enum { CASES = 20000, MOST_CASES = CASES * 9 / 10 };
+enum {
+    CASES = 20000,               /**< Number of random cases. */
+    MOST_CASES = CASES * 9 / 10, /**< Nearly all of them. */
+};
 
 /** @return A random coordinate: whole ones are common, so that rays start on planes and graze them.
  */
@@ -471,7 +473,7 @@ static Ball ball_at_ray(uint64_t *seed, const Shaft *shaft) {
            to_origin = vec3sw_subtract(vec3s_widen(vec3s_add(shaft->middle, corner)), target),
            to_point = vec3sw_scale(to_origin, (wide_scalar)(1 + 15 * random_scalar(seed)) / 16),
            side = vec3sw_cross(to_origin, vec3s_widen(random_vector(seed))),
-           beside = vec3sw_scale(vec3sw_normalize(side), (wide_scalar)-size),
+           beside = vec3sw_scale(vec3sw_normalize(side), (wide_scalar)size),
            center = vec3sw_subtract(target, vec3sw_subtract(beside, to_point)),
            across = vec3sw_cross(vec3sw_subtract(center, target), to_origin);
     // The distance between ray and centre, as this is rounded.

@@ -3,9 +3,10 @@
  * @brief Boxes that are tested at once: LANES of them against a packet; in engines of one lane
  * eight against one ray (pack.h).
  *
- * Quad tests boxes in float. All that is rounded is rounded so that a box is never missed: a shape
- * more is tested now and then, and the picture has the same bits. For double this would not pay: a
- * shadow ray starts so near its surface that float cannot tell it from the box of that.
+ * Quadruple precision tests boxes in float. All that is rounded is rounded so that a box is never
+ * missed: a shape more is tested now and then, and the picture has the same bits. For double this
+ * would not pay: a shadow ray starts so near its surface that float cannot tell it from the box of
+ * that.
  */
 #ifndef DIOPTRE_TRACE_BVH_AABB_PACK_H
 #define DIOPTRE_TRACE_BVH_AABB_PACK_H

@@ -158,6 +158,7 @@ INLINE mask polygon_contains_ray(const Vertex *vertices, int count, const Ray *r
 /** Corners of a quad. */
 enum { QUAD_CORNERS = 4 };
 
+// Not for quadruple precision, whose packs are of float.
 #if LANES == 1 && REAL_BITS <= 64
 
 /** Number of packs with a number of each corner. */

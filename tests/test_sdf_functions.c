@@ -239,6 +239,39 @@ static void test_mandelbulb(void **state) {
     }
 }
 
+/** @return z^n by angles, as the Mandelbulb is defined. The y axis carries the poles. */
+static Vec3d power_by_angles(Vec3d z, int n) {
+    long double across = hypotl(z.x, z.z);
+    long double radius = powl(hypotl(across, z.y), n);
+    long double polar = n * atan2l(across, z.y), azimuth = n * atan2l(z.x, z.z);
+    return (Vec3d){(double)(radius * sinl(polar) * sinl(azimuth)), (double)(radius * cosl(polar)),
+                   (double)(radius * sinl(polar) * cosl(azimuth))};
+}
+
+/** Powers of points by complex numbers are those by angles, also next to the axis and on it. */
+static void test_mandelbulb_power(void **state) {
+    (void)state;
+    static const double across[] = {1, 1e-4, 1e-17, 1e-30, 0};
+    uint64_t seed = 1;
+    double worst = 0;
+    for (int i = 0; i < POINTS; i++) {
+        int n = 2 + i % 8;
+        double narrow = across[i / 8 % (int)(sizeof across / sizeof *across)];
+        Vec3d p = random_point(&seed, 1.5);
+        p.x *= narrow;
+        p.z *= narrow;
+        Vec3d expected = power_by_angles(p, n);
+        Vec3 power = mandelbulb_power((Vec3){p.x, p.y, p.z}, n);
+        Vec3d error = vec3d_subtract((Vec3d){power.x, power.y, power.z}, expected);
+        double radius = vec3d_length(p), exact = n * pow(radius, n - 1);
+        worst = fmax(worst, vec3d_length(error) / pow(radius, n));
+        assert_at_most(fabs(power_derivative(radius * radius, n) / exact - 1), 1e-14,
+                       "derivative of r^%d at %g", n, radius);
+    }
+    printf("  error of z^n, relative: %g\n", worst);
+    assert_at_most(worst, 1e-14, "error of z^n, relative");
+}
+
 /** |f(p) - f(q)| <= |p - q|, near and far, on the surface and off it. */
 static void test_lipschitz(void **state) {
     (void)state;
@@ -411,10 +444,15 @@ static void test_union_runs(void **state) {
 /** Runs the tests. @return 0 if all pass. */
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lipschitz),  cmocka_unit_test(test_union_runs),
-        cmocka_unit_test(test_mandelbulb), cmocka_unit_test(test_distances),
-        cmocka_unit_test(test_boxes),      cmocka_unit_test(test_gradients),
-        cmocka_unit_test(test_limits),     cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_lipschitz),
+        cmocka_unit_test(test_union_runs),
+        cmocka_unit_test(test_mandelbulb),
+        cmocka_unit_test(test_distances),
+        cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_gradients),
+        cmocka_unit_test(test_mandelbulb_power),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_overlap),
     };
     return cmocka_run_group_tests_name("fields", tests, create_sdfs, destroy_sdfs);
 }

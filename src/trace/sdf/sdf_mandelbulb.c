@@ -4,10 +4,11 @@
  */
 #include "trace/sdf/sdf_vm.h"
 
-/** LANES complex numbers. */
+/** LANES numbers re + im i w with a real w that all operations share. Where w is a root, such as
+ *  the distance from an axis, its square is all that products need. */
 typedef struct Complex {
     real re; /**< Real part. */
-    real im; /**< Imaginary part. */
+    real im; /**< Imaginary part, divided by w. */
 } Complex;
 
 /** Upper end of the range of the series for the logarithm. */
@@ -25,25 +26,25 @@ static inline int highest_bit(int n) {
     return bit;
 }
 
-/** @return a times b. */
-INLINE Complex complex_multiply(Complex a, Complex b) {
-    return (Complex){a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+/** @return a times b. @param square That of w. */
+INLINE Complex complex_multiply(Complex a, Complex b, real square) {
+    return (Complex){a.re * b.re - square * (a.im * b.im), a.re * b.im + a.im * b.re};
 }
 
-/** @return z^n, by the binary digits of n, highest first. */
-INLINE Complex complex_power(Complex z, int n) {
+/** @return z^n, by the binary digits of n, highest first. @param square That of w. */
+INLINE Complex complex_power(Complex z, int n, real square) {
     Complex power = z;
     for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
-        power = complex_multiply(power, power);
-        power = n & bit ? complex_multiply(power, z) : power;
+        power = complex_multiply(power, power, square);
+        power = n & bit ? complex_multiply(power, z, square) : power;
     }
     return power;
 }
 
-/** @return r^n, by the binary digits of n, highest first. */
+/** @return r^n, by the binary digits of n, highest first. @param n From 0. */
 INLINE real real_integer_power(real r, int n) {
-    real power = r;
-    for (int bit = highest_bit(n) / 2; bit > 0; bit /= 2) {
+    real power = real_of(1);
+    for (int bit = n > 0 ? highest_bit(n) : 0; bit > 0; bit /= 2) {
         power = power * power;
         power = n & bit ? power * r : power;
     }
@@ -95,30 +96,53 @@ INLINE real real_ln(real x) {
 
 /** The orbit of LANES points. */
 typedef struct MandelbulbOrbit {
-    Vec3 z;          /**< Current iterates. */
-    real radius;     /**< Their distance from the origin. */
+    Vec3 z;          /**< Current iterates; undefined after the escape. */
+    real square;     /**< That of their distance from the origin. */
     real derivative; /**< Bound on their derivative by the first points. */
     real potential;  /**< Logarithm of the radius of the surface at this iterate. */
 } MandelbulbOrbit;
 
-/** @return z^n + c: the radius to the n-th power, both angles times n. Powers of complex numbers
- *  replace sine and cosine. */
-INLINE Vec3 mandelbulb_iterate(Vec3 z, Vec3 c, int n) {
-    real across = real_sqrt(z.x * z.x + z.z * z.z);
-    Complex polar = complex_power((Complex){z.y, across}, n);
-    Complex azimuth = {real_divide_or_zero(z.z, across), real_divide_or_zero(z.x, across)};
-    azimuth.re = real_select(across > 0, azimuth.re, real_of(1));
-    azimuth = complex_power(azimuth, n);
-    return vec3_add((Vec3){polar.im * azimuth.im, polar.re, polar.im * azimuth.re}, c);
+/** Smallest square of a distance from the axis that has a direction: it has an inverse. */
+#define ACROSS_SQUARE_MINIMUM ((scalar)0x1p-120f)
+
+/**
+ * Raises points to the power n: the radius to the n-th power, both angles times n. Powers of
+ * complex numbers replace sine and cosine: with w, the distance from the y axis,
+ * - the angle from the axis is that of y + i w, whose n-th power is a + i w b;
+ * - the angle about the axis is that of u = (z + i x) / w.
+ *
+ * The result has the height a, and u^n w b across the axis. u^2 = (z + i x)^2 / w^2 needs no root:
+ * u^n w is (u^2)^(n/2) w for an even n, and (u^2)^((n-1)/2) (z + i x) for an odd one.
+ * @param n  The power, from 2.
+ */
+INLINE Vec3 mandelbulb_power(Vec3 z, int n) {
+    const real one = real_of(1), zero = real_of(0);
+    real x_square = z.x * z.x, z_square = z.z * z.z, square = x_square + z_square;
+    Complex polar = complex_power((Complex){z.y, one}, n, square);
+    mask has_direction = square > ACROSS_SQUARE_MINIMUM;
+    real inverse = real_select(has_direction, one / square, zero);
+    Complex twice = {(z_square - x_square) * inverse, 2 * (z.z * z.x) * inverse};
+    Complex azimuth = complex_power(twice, n / 2, one);
+    if (n % 2) {
+        azimuth = complex_multiply(azimuth, (Complex){z.z, z.x}, one);
+    } else {
+        polar.im = polar.im * real_sqrt(square);
+    }
+    return (Vec3){polar.im * azimuth.im, polar.re, polar.im * azimuth.re};
+}
+
+/** @return n r^(n-1), the derivative of r^n. @param square r^2. */
+INLINE real power_derivative(real square, int n) {
+    real power = (scalar)n * real_integer_power(square, (n - 1) / 2);
+    return n % 2 ? power : power * real_sqrt(square);
 }
 
 /** Iterates orbits that have not escaped. @param iterating Their lanes. */
 INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask iterating) {
-    real factor = (scalar)n * real_integer_power(orbit->radius, n - 1);
-    Vec3 z = mandelbulb_iterate(orbit->z, c, n);
-    orbit->z = vec3_select(iterating, z, orbit->z);
-    orbit->radius = real_select(iterating, real_sqrt(vec3_dot(z, z)), orbit->radius);
-    orbit->derivative = real_select(iterating, factor * orbit->derivative + 1, orbit->derivative);
+    real derivative = power_derivative(orbit->square, n) * orbit->derivative + 1;
+    orbit->z = vec3_add(mandelbulb_power(orbit->z, n), c);
+    orbit->square = real_select(iterating, vec3_dot(orbit->z, orbit->z), orbit->square);
+    orbit->derivative = real_select(iterating, derivative, orbit->derivative);
     orbit->potential = real_select(iterating, orbit->potential * (scalar)n, orbit->potential);
 }
 
@@ -126,7 +150,7 @@ INLINE void mandelbulb_orbit_step(MandelbulbOrbit *orbit, Vec3 c, int n, mask it
  *  points from the origin. */
 INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
                                       const scalar *operands) {
-    real radius = real_max(orbit->radius, real_of((scalar)0x1p-60f));
+    real radius = real_max(real_sqrt(orbit->square), real_of((scalar)0x1p-60f));
     real above = real_ln(real_min(radius, real_of((scalar)0x1p100f))) - orbit->potential;
     real estimate = operands[3] * above * radius / orbit->derivative;
     return real_max(estimate, length - operands[2]);
@@ -135,14 +159,15 @@ INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
 int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
                              int count, real *distances) {
     const int n = (int)operands[0], iterations = (int)operands[1];
-    const real escape = real_of(operands[4]);
+    const real escape_square = real_of(operands[4] * operands[4]);
     MandelbulbOrbit orbits[SDF_VECTORS_MAXIMUM];
     real lengths[SDF_VECTORS_MAXIMUM];
     mask iterating[SDF_VECTORS_MAXIMUM], any_iterating = mask_of(false);
     for (int v = 0; v < count; v++) {
-        lengths[v] = real_sqrt(vec3_dot(points[v], points[v]));
-        orbits[v] = (MandelbulbOrbit){points[v], lengths[v], real_of(1), real_of(operands[5])};
-        iterating[v] = active[v] & (lengths[v] < escape);
+        real square = vec3_dot(points[v], points[v]);
+        lengths[v] = real_sqrt(square);
+        orbits[v] = (MandelbulbOrbit){points[v], square, real_of(1), real_of(operands[5])};
+        iterating[v] = active[v] & (square < escape_square);
         any_iterating |= iterating[v];
     }
     int done = 1;
@@ -150,7 +175,7 @@ int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const m
         any_iterating = mask_of(false);
         for (int v = 0; v < count; v++) {
             mandelbulb_orbit_step(&orbits[v], points[v], n, iterating[v]);
-            iterating[v] = iterating[v] & (orbits[v].radius < escape);
+            iterating[v] = iterating[v] & (orbits[v].square < escape_square);
             any_iterating |= iterating[v];
         }
     }

@@ -101,6 +101,24 @@ ln -s ../good-one.png "$work/scene/link.png"
 surface link.png; mv "$work/s.lua" "$work/scene"
 expect 3 'link.png: No such file in the scene' 'a link to a picture outside the folder' "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
 
+cp "$work/good-one.png" "$work/scene/inside.png"
+for way in ../scene/inside.png ../folder.png/../scene/inside.png ../none/../scene/./inside.png; do
+    surface "$way"; mv "$work/s.lua" "$work/scene"
+    expect 0 '' "out of the folder and back: $way" "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp" -s 8x8
+done
+for way in ../scen/inside.png ../scene/../inside.png ../../../../../../../../../../../../scene/inside.png ../scene ..; do
+    surface "$way"; mv "$work/s.lua" "$work/scene"
+    expect 3 'No such file in the scene' "out of the folder: $way" "$dioptre" render "$work/scene/s.lua" -o "$work/o.bmp"
+done
+
+# --- time ------------------------------------------------------------------------------------------
+printf 'camera {}\nlocal far = ("sub/../"):rep(580) .. "none.lua"\nwhile true do pcall(include, far) end' >"$work/scene/s.lua"
+mkdir "$work/scene/sub"
+started=$(cut -d' ' -f14,15,16,17 "/proc/$$/stat" | tr " " +)
+expect 3 'more than 10 s of processor time' 'paths that take long to look up' "$dioptre" info "$work/scene/s.lua"
+spent=$(($(cut -d' ' -f14,15,16,17 "/proc/$$/stat" | tr ' ' +) - ($started)))
+[ "$spent" -lt $((15 * $(getconf CLK_TCK))) ] && ok 'and they count' || fail "looking up took $spent ticks"
+
 # --- words -----------------------------------------------------------------------------------------
 # bad WORDS TEXT: a scene that is refused on its line 2.
 bad() {

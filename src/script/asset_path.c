@@ -64,8 +64,56 @@ static bool find_real_path(int file, char real_path[PATH_MAX]) {
 }
 
 /**
+ * Finds the name within a folder of a file that is named from outside, as `../scenes/die.png` from
+ * the folder `scenes`. Nothing outside is looked at: a scene cannot find out what lies there.
+ * @param folder       Descriptor of the folder.
+ * @param name         The name.
+ * @param[out] inside  The name, or that within the folder.
+ * @return false if the file lies outside, or the path of the folder is not known.
+ */
+static bool find_name_inside(int folder, const char *name, char inside[PATH_MAX + 1]) {
+    char dir[PATH_MAX] = "";
+    size_t length = 0;
+    int ups = 0; // Names of the folder's own path that the name must repeat.
+    for (const char *part = name; *part;) {
+        size_t size = strcspn(part, "/");
+        bool is_up = size == 2 && strncmp(part, "..", 2) == 0;
+        if (is_up && length == 0) {
+            ups++;
+        } else if (is_up) {
+            do {
+                length--;
+            } while (length > 0 && inside[length] != '/');
+        } else if (size > 0 && !(size == 1 && *part == '.')) {
+            length += (size_t)sprintf(inside + length, "/%.*s", (int)size, part);
+        }
+        part += size + (part[size] == '/');
+    }
+    inside[length] = '\0';
+    if (ups == 0) {
+        strcpy(inside, name); // Its links may lead elsewhere than the parts that were left out.
+        return true;
+    }
+    if (!find_real_path(folder, dir)) {
+        return false;
+    }
+    char *tail = dir + strlen(dir);
+    for (; ups > 0 && tail > dir; ups--) {
+        do {
+            tail--;
+        } while (tail > dir && *tail != '/');
+    }
+    size_t tail_length = strlen(tail);
+    if (ups > 0 || strncmp(inside, tail, tail_length) != 0 || inside[tail_length] != '/') {
+        return false;
+    }
+    memmove(inside, inside + tail_length + 1, length - tail_length);
+    return true;
+}
+
+/**
  * Opens a file, and then checks by its descriptor that it is beneath a folder. It serves where
- * openat2 does not: kernels before 5.6, absolute links, and names such as `../scenes/die.png`.
+ * openat2 does not: kernels before 5.6, and absolute links.
  * @param folder  Descriptor of the folder.
  * @param name    The name.
  * @return A descriptor for reading; -1 on errors, with errno. ENOENT says nothing about files
@@ -93,10 +141,15 @@ static int open_and_compare(int folder, const char *name) {
 
 /** Opens a file beneath a folder. @return See #open_and_compare. */
 static int open_beneath(int folder, const char *name) {
+    char inside[PATH_MAX + 1]; // A slash goes before the first part.
+    if (!find_name_inside(folder, name, inside)) {
+        errno = ENOENT;
+        return -1;
+    }
     const struct open_how how = {.flags = REGULAR_FILE_FLAGS,
                                  .resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS};
-    int file = (int)syscall(SYS_openat2, folder, name, &how, sizeof how);
-    return file >= 0 ? file : open_and_compare(folder, name);
+    int file = (int)syscall(SYS_openat2, folder, inside, &how, sizeof how);
+    return file >= 0 ? file : open_and_compare(folder, inside);
 }
 
 int asset_path_open(const ScriptRequest *request, const char *name, char display_path[PATH_MAX],

@@ -2,8 +2,9 @@
  * @file
  * @brief The time limits of a call to a worker process.
  *
- * A limit counts the processor time of the worker, because a busy machine must not refuse what an
- * idle one accepts. A second, generous limit on the wall clock ends workers that only wait.
+ * A limit counts the processor time of the worker and of the answers to its questions, because a
+ * busy machine must not refuse what an idle one accepts. A second, generous limit on the wall clock
+ * ends workers that only wait.
  */
 #ifndef DIOPTRE_ASSETS_PROCESS_WORKER_CLOCK_H
 #define DIOPTRE_ASSETS_PROCESS_WORKER_CLOCK_H
@@ -18,6 +19,7 @@ typedef struct WorkerClock {
     clockid_t processor;      /**< Clock of the processor time of the worker. */
     double processor_started; /**< Its value at the start; negative: it cannot be read. */
     double processor_limit;   /**< Largest processor time since then, seconds. */
+    double charged;           /**< Processor time that others needed for it since then, seconds. */
 } WorkerClock;
 
 /**
@@ -45,6 +47,9 @@ void worker_clock_start(WorkerClock *clock, pid_t pid, double time_limit, double
  *                       than now.
  */
 void worker_clock_exclude(WorkerClock *clock, double seconds);
+
+/** Counts processor time that this process needed to answer the worker. @param seconds The time. */
+void worker_clock_charge(WorkerClock *clock, double seconds);
 
 /** @return Seconds since the start, on the wall clock. */
 double worker_clock_elapsed(const WorkerClock *clock);

@@ -6,6 +6,7 @@
 
 #include "assets/process/worker_clock.h"
 #include "assets/process/worker_protocol.h"
+#include "base/clock.h"
 #include "base/executable_dir.h"
 #include "base/language.h"
 
@@ -277,6 +278,7 @@ static bool send_message(Exchange *exchange, const Message *sent) {
 static bool answer_question(Exchange *exchange, size_t size) {
     char question[WORKER_QUESTION_MAXIMUM];
     const WorkerCall *call = exchange->call;
+    const double started = clock_thread_cpu_seconds();
     WorkerResponse response = {0};
     bool is_valid = call->answer && size <= sizeof question && receive(exchange, question, size) &&
                     call->answer(call->answer_context, question, size, &response);
@@ -285,6 +287,7 @@ static bool answer_question(Exchange *exchange, size_t size) {
     if (response.file > 0) {
         close(response.file);
     }
+    worker_clock_charge(&exchange->clock, clock_thread_cpu_seconds() - started);
     return is_sent;
 }
 

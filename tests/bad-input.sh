@@ -152,7 +152,9 @@ pid=$!
 within grep -q '^{' "$work/err"
 kill -INT $pid
 wait $pid
-[ $? = 130 ] && ok 'SIGINT: status 130' || fail "SIGINT: status: $(cat "$work/err")"
+status=$?
+tail -2 "$work/err" | grep -q '"progress": 1' && fail 'SIGINT: the progress is whole' || ok 'SIGINT: the progress is that of a part'
+[ "$status" = 130 ] && ok 'SIGINT: status 130' || fail "SIGINT: status: $(cat "$work/err")"
 holds "$work/err" 'interrupted: .*cut.bmp has [0-9]+ %' 'SIGINT: says how much there is'
 [ "$(wc -c <"$work/cut.bmp")" = $((1600 * 1200 * 3 + 54)) ] && ok 'SIGINT: the picture is kept' || fail 'SIGINT: the picture is kept'
 without_display() { env -u DISPLAY -u WAYLAND_DISPLAY "$@" timeout 20 "$dioptre" view "$work/s.lua"; }

@@ -19,7 +19,7 @@ small='-s 192x144 --samples 2'
     # Of figure-16 and teapot float has 0.02 and 0.014 % wrong; painted-cow is near the bound by its numbers.
     for scene in chess report-d-pictures glass-teapot figure-16 teapot painted-cow; do
         case $scene in
-        glass-teapot) words='line 15: glass with smooth normals' ;;
+        glass-teapot) words=':15: glass with smooth normals' ;;
         *) words='' ;;
         esac
         expect 0 "$words" "forecast of $scene" "$dioptre" info "scenes/$scene.lua"
@@ -70,6 +70,8 @@ small='-s 192x144 --samples 2'
         END { exit !(single > 0.001 && single < 0.01 && twofold == 0) }' "$work/charts/chess.csv" &&
         ok 'the CSV says what hangs on the last bit' || fail 'what hangs on the last bit'
     holds "$work/charts/figure-08.svg" '</svg>' 'there is the SVG'
+    mkdir -p "$work/same" && cp scenes/box.lua "$work/same/figure-08.lua"
+    expect 2 'would have the same figure-08.csv' 'two scenes of one name' "$dioptre" chart scenes/figure-08.lua "$work/same/figure-08.lua" --out "$work/charts"
     expect 2 'chart needs --out' 'chart without a folder' "$dioptre" chart scenes/box.lua
     touch "$work/file"
     expect 1 'no folder|cannot make' 'a file for a folder' "$dioptre" chart scenes/box.lua --out "$work/file"

@@ -76,8 +76,8 @@ expect 1 '' 'compare different' "$dioptre" compare "$work/a.bmp" "$work/one.bmp"
 [ -s "$work/map.bmp" ] && ok 'compare writes the map' || fail 'compare writes the map'
 expect 0 '' 'compare within a threshold' "$dioptre" compare "$work/a.bmp" "$work/one.bmp" --threshold 255
 expect 3 'sizes differ' 'compare sizes' "$dioptre" compare "$work/a.bmp" "$work/p.bmp"
-expect 3 'No such file' 'compare a missing file' "$dioptre" compare "$work/a.bmp" "$work/none.bmp"
-expect 3 'readme|ending|README' 'compare what is no picture' "$dioptre" compare "$work/a.bmp" README.md
+expect 4 'No such file' 'compare a missing file' "$dioptre" compare "$work/a.bmp" "$work/none.bmp"
+expect 4 'readme|ending|README' 'compare what is no picture' "$dioptre" compare "$work/a.bmp" README.md
 
 expect 0 '' 'info' "$dioptre" info "$box"
 holds "$work/out" '6 quad' 'info counts shapes'
@@ -100,7 +100,7 @@ for normals in smooth flat; do
         'material = material { transparency = 1, ior = 1.5 } }' >"$work/$normals.lua"
 done
 cp scenes/models/spot-low.obj "$work"
-expect 0 'line 2: glass with smooth normals' 'render says that smooth glass is fragile' \
+expect 0 ':2: glass with smooth normals' 'render says that smooth glass is fragile' \
     "$dioptre" render "$work/smooth.lua" -s 16x12 -o "$work/panes.bmp"
 expect 0 '' 'and nothing of flat glass' "$dioptre" render "$work/flat.lua" -s 16x12 -o "$work/panes.bmp"
 [ ! -s "$work/err" ] && ok 'not a word' || fail "of flat glass: $(cat "$work/err")"
@@ -141,6 +141,9 @@ for rays in primary random; do
     expect 0 '' "bench --rays $rays" "$dioptre" bench "$box" --json -s 80x60 --frames 2 --rays $rays
     holds "$work/out" '"rays": 4800,' "bench --rays $rays traces a ray per pixel"
 done
+cp "$box" "$work/own.lua"
+expect 2 'writes a .svg file' 'a drawing over the scene' "$dioptre" probe "$work/own.lua" 4 3 --svg "$work/own.lua"
+same "$box" "$work/own.lua" 'the scene is as it was'
 expect 0 '"progress"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
 expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60
 expect 2 'own, a, b, c or d' 'unknown methods' "$dioptre" render "$box" -o "$work/x.bmp" --methods e

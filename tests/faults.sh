@@ -70,7 +70,7 @@ left_over() {
 # judge NAME FILE: looks at what a run has left; prints what is wrong.
 judge() {
     case $status in
-    0 | 1 | 2 | 3 | 130) ;;
+    0 | 1 | 2 | 3 | 4 | 130) ;;
     *) echo "status $status" ;;
     esac
     if [ "$2" != - ]; then

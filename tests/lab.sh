@@ -51,6 +51,10 @@ printf '#!/bin/sh\necho broken >&2\nexit 3\n' >"$work/empty/gnuplot"
 chmod +x "$work/empty/gnuplot"
 expect 1 'gnuplot gave up \(status 3\): broken' 'gnuplot fails' \
     env PATH="$work/empty:$PATH" "$dioptre" lab fresnel-out --out "$work/d" -q
+# On a full disk it ends with status 0.
+printf '#!/bin/sh\nfor last; do :; done\ncat >/dev/null\necho "<svg>" >"$last"\n' >"$work/empty/gnuplot"
+expect 1 'gnuplot has not written all' 'gnuplot writes a part' \
+    env PATH="$work/empty:$PATH" "$dioptre" lab fresnel-out --out "$work/d" -q
 [ -s "$work/d/fresnel-out.csv" ] && ok 'the CSV is there all the same' || fail 'no CSV where gnuplot fails'
 [ ! -e "$work/d/fresnel-out.svg" ] && ok 'and no half of a chart' || fail 'half of a chart'
 

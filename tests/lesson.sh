@@ -178,6 +178,10 @@ shots "$work/asks.lua" "$work/other" --answers "$work/right.csv" --predictions 3
 [ "$(wc -l <"$work/right.csv")" = 5 ] && ok 'one head' || fail "$(cat "$work/right.csv")"
 same "$work/right/asks-0003.bmp" "$work/other/asks-0003.bmp" 'whatever was predicted, the same is shown'
 expect 2 "predictions takes digits from 1 to 9, not '0'" 'no choice 0' "$dioptre" view --lesson "$work/asks.lua" --predictions 0
+expect 2 'predictions must be from 1 to 3 for question 1, not 9' 'no choice 9' timeout 60 \
+    "$dioptre" view --lesson "$work/asks.lua" --lesson-snapshots "$work/nine" --predictions 9
+expect 1 'No space left' 'answers on a full disk' timeout 60 \
+    "$dioptre" view --lesson "$work/asks.lua" --lesson-snapshots "$work/full" --answers /dev/full
 expect 1 'cannot write' 'answers into a folder' timeout 60 "$dioptre" view "$work/asks.lua" --answers "$work"
 # Where `explain()` stands, the camera is still as the question had it moved; at the caption it is back.
 cat >"$work/explained.lua" <<END

@@ -18,8 +18,12 @@ enum { NEW_FILE_MODE = 0666 };
 /** The permission bits of a file's mode. */
 enum { PERMISSION_BITS = 0777 };
 
-/** Sets an error from errno. @return false, always. */
+/** Sets an error from errno. A signal may end the wait for the reader of a FIFO. @return false,
+ *  always. */
 static bool set_system_error(Error *error) {
+    if (errno == EINTR) {
+        return error_set(error, STATUS_INTERRUPTED, "interrupted");
+    }
     return error_set(error, STATUS_FAILED, "%s", error_errno_text(errno));
 }
 

@@ -16,8 +16,9 @@ typedef enum {
     STATUS_OK = 0,           /**< Success. */
     STATUS_FAILED = 1,       /**< The task could not be completed: disk full, no memory. */
     STATUS_USAGE = 2,        /**< The command line is wrong. */
-    STATUS_SCENE = 3,        /**< A scene, or a file that it names, is invalid; or a picture to
-                                compare. */
+    STATUS_SCENE = 3,        /**< A scene, or a file that it names, is invalid; or the sizes of
+                                pictures to compare differ. */
+    STATUS_UNREADABLE = 4,   /**< A picture to compare cannot be read. */
     STATUS_INTERRUPTED = 130 /**< Interrupted by SIGINT; completed output is kept. */
 } Status;
 

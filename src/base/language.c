@@ -86,6 +86,7 @@ static void bind_text_domain(void) {
     }
     bindtextdomain(TEXT_DOMAIN, path);
     bind_textdomain_codeset(TEXT_DOMAIN, "UTF-8");
+    bind_textdomain_codeset("libc", "UTF-8"); // strerror(), strsignal()
     textdomain(TEXT_DOMAIN);
 }
 

@@ -34,6 +34,22 @@ static bool chart_scene(const Options *options, const char *path, const LabReque
     return is_written;
 }
 
+/** @return Whether all scenes have different names, as the files are named after them. */
+static bool check_names(const Options *options, Error *error) {
+    char name[256], other[256];
+    for (int i = 0; i < options->argument_count; i++) {
+        scene_name_from_path(options->arguments[i], name, sizeof name);
+        for (int j = 0; j < i; j++) {
+            scene_name_from_path(options->arguments[j], other, sizeof other);
+            if (strcmp(name, other) == 0) {
+                return error_set(error, STATUS_USAGE, "'%s' and '%s' would have the same %s.csv",
+                                 options->arguments[j], options->arguments[i], name);
+            }
+        }
+    }
+    return true;
+}
+
 /** Charts scenes. @return false on failure; finished charts are kept. */
 static bool chart_scenes(const Options *options, const LabRequest *request, Error *error) {
     size_t without_chart = 0;
@@ -98,7 +114,7 @@ void cli_chart(const Options *options, Error *error) {
         chart_methods(options, &request, error);
     } else if (options->argument_count == 0) {
         error_set(error, STATUS_USAGE, "chart needs a scene, or --kernels");
-    } else if (lab_create_folder(&request, error)) {
+    } else if (check_names(options, error) && lab_create_folder(&request, error)) {
         chart_scenes(options, &request, error);
     }
 }

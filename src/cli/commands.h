@@ -118,6 +118,9 @@ void progress_set_renderer(Progress *progress, const Renderer *renderer);
 /** Ends a picture. @param progress The progress, or NULL. */
 void progress_done(Progress *progress);
 
+/** Notes that a picture was stopped. @param fraction What is done of it, 0 to 1. */
+void progress_stop(Progress *progress, double fraction);
+
 /** Skips a picture. @param progress The progress, or NULL. */
 void progress_skip(Progress *progress);
 

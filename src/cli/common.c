@@ -28,15 +28,22 @@ Scene *command_load_scene(const Options *options, RenderSettings *settings, Erro
     return scene;
 }
 
+/** Begins a warning with its place in the scene file. */
+static void print_place(const Options *options, int line) {
+    sanitize_print_line(options->arguments[0], stderr);
+    fprintf(stderr, ":%d: ", line);
+}
+
 /** Says which surfaces coincide. */
-static void print_coincident(const ZFighting *found) {
+static void print_coincident(const Options *options, const ZFighting *found) {
     const double percent = 100 * found->coincident;
     if (found->lines[0] > 0) {
+        print_place(options, found->lines[0]);
         fprintf(
             stderr,
             gettext(
-                "dioptre: surfaces of lines %d and %d coincide in up to %.3g %% of the picture: "
-                "rounding or their order decides which is seen\n"),
+                "surfaces of lines %d and %d coincide in up to %.3g %% of the picture: rounding "
+                "or their order decides which is seen\n"),
             found->lines[0], found->lines[1], percent);
     } else {
         fprintf(
@@ -94,13 +101,13 @@ RenderSettings command_print_notes(const Options *options, const Scene *scene) {
         fputc('\n', stderr);
     }
     if (estimate.z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
-        print_coincident(&estimate.z_fighting);
+        print_coincident(options, &estimate.z_fighting);
     }
     if (estimate.smooth_glass_line > 0 && !options->quiet) {
-        fprintf(stderr,
-                gettext("dioptre: line %d: glass with smooth normals: where they reflect a ray "
-                        "through its own facet, rounding decides what is seen; flat ones do not\n"),
-                estimate.smooth_glass_line);
+        print_place(options, estimate.smooth_glass_line);
+        fputs(gettext("glass with smooth normals: where they reflect a ray through its own facet, "
+                      "rounding decides what is seen; flat ones do not\n"),
+              stderr);
     }
     if (estimate.chaotic_fraction >= PRECISION_CHAOS_SAID && !options->quiet) {
         fprintf(

@@ -67,7 +67,7 @@ void cli_compare(const Options *options, Error *error) {
         image_file_read(options->arguments[1], &b, error)) {
         compare_pictures(&a, &b, options, error);
     } else if (error->status != STATUS_INTERRUPTED) {
-        error->status = STATUS_SCENE; // 1 would say that they differ.
+        error->status = STATUS_UNREADABLE; // 1 would say that they differ, 3 that their sizes do.
     }
     picture_deinit(&a);
     picture_deinit(&b);

@@ -212,7 +212,7 @@ static const OptionSpec option_specs[] = {
      .help = N_("adaptive or full: whether every pixel gets all its rays")},
     {"depth", 0, N_("N"), STORES(integer, depth), .maximum = DEPTH_MAXIMUM, .commands = SCENES,
      .help = N_("how often a ray may be mirrored or refracted")},
-    {"cutoff", 0, N_("STEPS"), STORES(number, cutoff), .commands = SCENES,
+    {"cutoff", 0, N_("STEPS"), STORES(number, cutoff), .commands = TRACING,
      .help = N_("what all rays that end early may be worth in a pixel (default: 0.25)")},
     {"time", 't', N_("SECONDS"), STORES(number, time), .minimum = -HUGE_VAL, .commands = SCENES,
      .help = N_("the scene's t")},

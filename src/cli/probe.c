@@ -10,6 +10,8 @@
 #include <libintl.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 /**
  * @return A column or a row; -1 if it is wrong.
@@ -90,8 +92,19 @@ static void probe_trace_and_print(const Options *options, ProbeReport *report, E
     renderer_destroy(renderer);
 }
 
+/** @return Whether the name of a drawing is free or ends in .svg: that of a scene would be
+ *  replaced. */
+static bool check_svg_name(const char *path, Error *error) {
+    const char *name = strrchr(path, '/'), *extension = strrchr(name ? name : path, '.');
+    return !extension || strcasecmp(extension, ".svg") == 0 ||
+           error_set(error, STATUS_USAGE, "--svg writes a .svg file, not '%s'", path);
+}
+
 void cli_probe(const Options *options, Error *error) {
     ProbeReport report = {.path = options->arguments[0], .ray = options->ray};
+    if (options->svg && !check_svg_name(options->svg, error)) {
+        return;
+    }
     Scene *scene = command_load_scene(options, &report.settings, error);
     if (!scene) {
         return;

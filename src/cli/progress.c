@@ -21,6 +21,7 @@ struct Progress {
     const Renderer *renderer; /**< Renderer of the picture under way, or NULL. */
     int pictures;             /**< Number of pictures. */
     int done;                 /**< Number of pictures that are done. */
+    double stopped_fraction;  /**< What is done of a picture that was stopped, 0 to 1. */
     bool is_film;             /**< Whether there are several pictures. */
     bool is_json;             /**< JSON lines instead of one line of text. */
     bool has_begun;           /**< Whether a picture was begun or done: before, others print. */
@@ -38,7 +39,8 @@ static double progress_seconds(const Progress *progress) {
 
 /** @return The fraction of all pictures that is done, 0 to 1. */
 static double progress_fraction(const Progress *progress) {
-    double current_fraction = progress->renderer ? renderer_progress(progress->renderer) : 0;
+    double current_fraction =
+        progress->renderer ? renderer_progress(progress->renderer) : progress->stopped_fraction;
     return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
 }
 
@@ -184,6 +186,15 @@ void progress_set_renderer(Progress *progress, const Renderer *renderer) {
 
 void progress_done(Progress *progress) {
     progress_update(progress, NULL, 1, 0);
+}
+
+void progress_stop(Progress *progress, double fraction) {
+    if (progress) {
+        pthread_mutex_lock(&progress->mutex);
+        progress->renderer = NULL;
+        progress->stopped_fraction = fraction;
+        pthread_mutex_unlock(&progress->mutex);
+    }
 }
 
 void progress_skip(Progress *progress) {

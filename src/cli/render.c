@@ -29,7 +29,8 @@ bool command_render(const RenderJob *job, const Scene *scene, Renderer **rendere
         }
         progress_set_renderer(job->progress, *renderer);
         *report = renderer_render(*renderer, interrupt_flag(), picture);
-        progress_done(job->progress);
+        report->is_finished ? progress_done(job->progress)
+                            : progress_stop(job->progress, report->progress);
     }
     return *renderer != NULL;
 }

@@ -98,7 +98,7 @@ static bool append(const char *path, const char *line, Error *error) {
         code = errno;
         is_written = false;
     }
-    return is_written || error_set(error, STATUS_FAILED, "cannot write %s: %s", path,
+    return is_written || error_set(error, STATUS_FAILED, "cannot write '%s': %s", path,
                                    code == EWOULDBLOCK ? gettext("another program has locked it")
                                                        : error_errno_text(code));
 }

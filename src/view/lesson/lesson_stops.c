@@ -74,6 +74,14 @@ void player_resume(App *app) {
     player_update_panel(app);
 }
 
+/** Reports an error, which ends an unattended lesson. */
+static void report_lesson_error(App *app, const Error *error) {
+    app_report_error(app, error);
+    if (player_is_unattended(app)) {
+        app->exit = (ExitState){.is_requested = true, .status = error->status};
+    }
+}
+
 /** Keeps the answer to a question. @param answer The choice, from 1. */
 static void keep_answer(App *app, size_t question, int answer) {
     Player *player = &app->player;
@@ -86,16 +94,24 @@ static void keep_answer(App *app, size_t question, int answer) {
     player->answers[question] = answer;
     if (app->settings->answer_path &&
         !answer_file_append(app->settings->answer_path, &record, &error)) {
-        app_report_error(app, &error);
+        report_lesson_error(app, &error);
     }
 }
 
-/** @return The answer of an unattended lesson to a question, from 1. */
-static int unattended_answer(const App *app, size_t index) {
+/** Answers a question of an unattended lesson: by its prediction, or right if there is none. */
+static void answer_unattended(App *app, size_t index) {
     const LessonQuestion *question = &app->player.lesson->questions[index];
     const char *predictions = app->settings->predictions;
-    int chosen = predictions && index < strlen(predictions) ? predictions[index] - '0' : 0;
-    return chosen > 0 && chosen <= question->choice_count ? chosen : question->right + 1;
+    bool is_predicted = predictions && index < strlen(predictions);
+    int chosen = is_predicted ? predictions[index] - '0' : question->right + 1;
+    if (chosen >= 1 && chosen <= question->choice_count) {
+        keep_answer(app, index, chosen);
+        return;
+    }
+    Error error = {0};
+    error_set(&error, STATUS_USAGE, "--predictions must be from 1 to %d for question %zu, not %d",
+              question->choice_count, index + 1, chosen);
+    report_lesson_error(app, &error);
 }
 
 void player_show_stop(App *app, const LessonStep *step) {
@@ -104,7 +120,7 @@ void player_show_stop(App *app, const LessonStep *step) {
     bool is_asked_for = player->repeat_end == player->next_step && player->repeat_end > 0;
     player->stop = player->next_step - 1;
     if (player_is_unattended(app) && step->kind == LESSON_ASK) {
-        keep_answer(app, (size_t)step->action, unattended_answer(app, (size_t)step->action));
+        answer_unattended(app, (size_t)step->action);
     } else if (player_is_unattended(app)) {
         player->state = PLAYER_CAPTURES;
     } else if (step->kind == LESSON_ASK) {

@@ -396,6 +396,46 @@ static void test_rays_in_sponge(void **state) {
     for_every_engine(check_rays_in_sponge);
 }
 
+/** Mandelbulbs are seen in each number type: orbits escape before their squares overflow float. */
+static void check_mandelbulb_powers(const Engine *engine) {
+    Error error = {0};
+    const Engine *reference = engine_find("f64x1", &error);
+    const TwinTracers aim = {.size = 2};
+    static RayQueryQuad rays[BATCH];
+    static RayResult found[BATCH], expected[BATCH];
+    uint64_t seed = 5;
+    for (int power = 2; power <= SDF_BULB_POWER_MAXIMUM; power++) {
+        Sdf *fields[2];
+        for (int i = 0; i < 2; i++) {
+            fields[i] = make_sdf("mandelbulb", (int[]){power, 8});
+        }
+        Tracer *tracer = marched(engine, fields[0], usual);
+        Tracer *exact = marched(reference, fields[1], usual);
+        int count = (int)ray_count_for(engine, BATCH / 8), hit_count = 0, different_count = 0;
+        for (int i = 0; i < count; i++) {
+            rays[i] = random_ray(&aim, &seed);
+        }
+        engine->intersect(tracer, (size_t)count, rays, found);
+        reference->intersect(exact, (size_t)count, rays, expected);
+        for (int i = 0; i < count; i++) {
+            hit_count += expected[i].shape >= 0;
+            different_count += found[i].shape != expected[i].shape;
+        }
+        engine->destroy(tracer);
+        reference->destroy(exact);
+        assert_true(hit_count > count / 20);
+        // A ray may pass beside a hair of it by a rounding.
+        assert_at_most((double)different_count / count, 0.01,
+                       "%s: hits of a Mandelbulb of power %d", engine->name, power);
+    }
+}
+
+/** @param state Not used. */
+static void test_mandelbulb_powers(void **state) {
+    (void)state;
+    for_every_engine(check_mandelbulb_powers);
+}
+
 /* --- equal bits ------------------------------------------------------------------------------- */
 
 /** Wide engines return the bits of narrow ones. */
@@ -540,8 +580,9 @@ static void test_step_limit(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_twins),          cmocka_unit_test(test_offset_rays),
-        cmocka_unit_test(test_rays_in_sponge), cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_footprint),      cmocka_unit_test(test_step_limit),
+        cmocka_unit_test(test_rays_in_sponge), cmocka_unit_test(test_mandelbulb_powers),
+        cmocka_unit_test(test_same_bits),      cmocka_unit_test(test_footprint),
+        cmocka_unit_test(test_step_limit),
     };
     return cmocka_run_group_tests_name("marching", tests, NULL, NULL);
 }

@@ -227,12 +227,12 @@ static double mandelbulb_bounding_radius(int power) {
 static void sdf_mandelbulb_create(Sdf *sdf, const void *values) {
     /** Half the usual factor; tests/test_sdf_functions.c counts where the estimate is too large. */
     const double factor = 0.25;
-    /** A radius whose n-th power is in the range of float. */
-    const double overflow = 0x1p100;
+    /** The n-th power of a radius, of which float holds the square, too, with room for c. */
+    const double largest_power = 0x1p62;
     const SdfMandelbulbParameters *bulb = values;
     int n = bulb->power;
     double r = bulb->iterations > 1 ? mandelbulb_bounding_radius(n) : BAILOUT_RADIUS;
-    double escape = fmin(256, pow(overflow, 1.0 / n));
+    double escape = fmin(256, pow(largest_power, 1.0 / n));
     double rest = log(BAILOUT_RADIUS) / pow(n, bulb->iterations - 1);
     SdfNode node = {SDF_MANDELBULB, 0, {n, bulb->iterations, r, factor, escape, rest}};
     sdf_from_primitive(sdf, false, &node, (Vec3d){r, r, r});

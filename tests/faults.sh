@@ -104,9 +104,8 @@ fault() {
     [ "$(cat "$work/mark")" = 1 ] || return 1
     tried=$((tried + 1))
     wrong=$(judge "$name" "$file")
-    # Nothing is wrong with the files, unless they cannot be read. compare ends so, as 1 means that pictures differ.
-    if [ "$status" = 3 ] && [ "$kind" != read ] &&
-        [ "$program" = "$(basename "$dioptre")" ] && [ "$name" != compare ]; then
+    # Nothing is wrong with the files, unless they cannot be read.
+    if [ "$status" = 3 ] && [ "$kind" != read ] && [ "$program" = "$(basename "$dioptre")" ]; then
         wrong="$wrong a file is blamed"
     fi
     if [ -n "$wrong" ]; then

@@ -305,7 +305,7 @@ wrong 2 'too many' 'one word too many' "$dioptre" render a "$odd"
 wrong 2 'takes' 'a value that is none' "$dioptre" render a --samples "$odd"
 wrong 2 'ending|end in' 'a picture of no format' "$dioptre" render "$box" -o "$odd"
 wrong 1 'Not a directory' 'a folder that is none' "$dioptre" render "$box" -o "$odd/x.bmp"
-wrong 3 'No such' 'pictures that are missing' "$dioptre" compare "$odd.bmp" b.bmp
+wrong 4 'No such' 'pictures that are missing' "$dioptre" compare "$odd.bmp" b.bmp
 printf 'camera {}\nprint("\\27[31m\\194\\155")\nerror("\\27[2J\\226\\128\\174")' >rude.lua
 wrong 3 'rude.lua:3' 'a scene that says so' "$dioptre" info rude.lua
 finish

@@ -161,7 +161,7 @@ static void test_full_disk(void **state) {
     assert_non_null(strstr(error.message, "No space left on device"));
     assert_false(answer_file_prepare("/tmp", &error));
     assert_non_null(strstr(error.message, "Is a directory"));
-    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write /tmp: "));
+    assert_true(error.status == STATUS_FAILED && strstr(error.message, "cannot write '/tmp': "));
     assert_false(answer_file_prepare("/none/answers.csv", &error));
     assert_non_null(strstr(error.message, "No such file"));
 }

@@ -68,7 +68,6 @@ expect_shown '^Shadows' 'Shift F and Enter play the first lesson'
 # The second Esc ends the lesson, and f comes at once: the list of the scene that it has left opens.
 xdotool key Escape Escape f
 shown '^figure C4' && settled
-sleep 3 && settled # The list is being filled: until it is, Enter takes a scene, not a lesson.
 xdotool key Tab && settled
 xdotool key Return
 expect_shown '^Shadows' 'Tab in the list goes to the lessons'

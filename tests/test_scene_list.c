@@ -215,6 +215,19 @@ static void test_selected_first(void **state) {
     browser_select_current(browser);
     assert_true(browser->has_selection);
     assert_int_equal(browser->selected, 0);
+    // While the previous list's thread ends, its list is shown: keys are for the next one.
+    atomic_store(&browser->list.is_running, true);
+    assert_true(browser_open(browser, &settings, 0, path));
+    browser_select_current(browser);
+    assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_KEEP_OPEN);
+    browser_key(browser, SDLK_TAB);
+    atomic_store(&browser->list.is_running, false);
+    assert_true(browser_open(browser, &settings, 0, path));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    browser_select_current(browser);
+    assert_int_equal(browser->selected, 0);
     // A Tab that comes before the selection goes to the lessons, too.
     assert_true(browser_open(browser, &settings, 0, path));
     while (scene_list_is_busy(&browser->list)) {

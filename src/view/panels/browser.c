@@ -15,8 +15,10 @@ bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event
     // That the first lesson is wanted outlasts the wait for the previous list.
     browser->begins_at_top = browser->is_reopen_pending && browser->begins_at_top;
     if (scene_list_is_busy(&browser->list)) {
-        // Its thread is ending, and sends an event then; until then the previous list is shown.
+        // Its thread is ending, and sends an event then. The previous list is shown until then, but
+        // its selection is not that of the next one: keys are for that.
         browser->is_open = browser->is_reopen_pending = true;
+        browser->has_selection = false;
         return true;
     }
     browser_release_textures(browser);
@@ -191,8 +193,9 @@ void browser_erase_word(Browser *browser) {
 /* --- selecting -------------------------------------------------------------------------------- */
 
 void browser_select_current(Browser *browser) {
-    // An event of the previous list may come while this one is being filled.
-    if (browser->has_selection || !atomic_load(&browser->list.is_complete)) {
+    // An event of the previous list may come before or while this one is being filled.
+    if (browser->has_selection || browser->is_reopen_pending ||
+        !atomic_load(&browser->list.is_complete)) {
         return;
     }
     BrowserOrder order;

@@ -64,6 +64,43 @@ static bool find_real_path(int file, char real_path[PATH_MAX]) {
 }
 
 /**
+ * Leaves out of a name what cancels out: `.`, and `..` with the part before it.
+ * @param name           The name.
+ * @param[out] shortened  What is left but the `..` at its beginning, each part after a slash.
+ * @return Number of these `..`.
+ */
+static int shorten_name(const char *name, char shortened[PATH_MAX + 1]) {
+    size_t length = 0;
+    int ups = 0;
+    for (const char *part = name; *part;) {
+        size_t size = strcspn(part, "/");
+        bool is_up = size == 2 && strncmp(part, "..", 2) == 0;
+        bool is_here = size == 0 || (size == 1 && *part == '.');
+        if (is_up && length == 0) {
+            ups++;
+        } else if (is_up) {
+            length = (size_t)((char *)memrchr(shortened, '/', length) - shortened);
+        } else if (!is_here) {
+            shortened[length] = '/';
+            memcpy(shortened + length + 1, part, size);
+            length += 1 + size;
+        }
+        part += size + (part[size] == '/');
+    }
+    shortened[length] = '\0';
+    return ups;
+}
+
+/** @return The last parts of an absolute path, from the slash before them; NULL: it has fewer. */
+static const char *last_parts(const char *path, int count) {
+    const char *tail = path[1] != '\0' ? path + strlen(path) : NULL; // The root has none.
+    while (tail && count-- > 0) {
+        tail = memrchr(path, '/', (size_t)(tail - path));
+    }
+    return tail;
+}
+
+/**
  * Finds the name within a folder of a file that is named from outside, as `../scenes/die.png` from
  * the folder `scenes`. Nothing outside is looked at: a scene cannot find out what lies there.
  * @param folder       Descriptor of the folder.
@@ -71,43 +108,19 @@ static bool find_real_path(int file, char real_path[PATH_MAX]) {
  * @param[out] inside  The name, or that within the folder.
  * @return false if the file lies outside, or the path of the folder is not known.
  */
-static bool find_name_inside(int folder, const char *name, char inside[PATH_MAX + 1]) {
-    char dir[PATH_MAX] = "";
-    size_t length = 0;
-    int ups = 0; // Names of the folder's own path that the name must repeat.
-    for (const char *part = name; *part;) {
-        size_t size = strcspn(part, "/");
-        bool is_up = size == 2 && strncmp(part, "..", 2) == 0;
-        if (is_up && length == 0) {
-            ups++;
-        } else if (is_up) {
-            do {
-                length--;
-            } while (length > 0 && inside[length] != '/');
-        } else if (size > 0 && !(size == 1 && *part == '.')) {
-            length += (size_t)sprintf(inside + length, "/%.*s", (int)size, part);
-        }
-        part += size + (part[size] == '/');
-    }
-    inside[length] = '\0';
+static bool find_name_inside(int folder, const char *name, char inside[PATH_MAX]) {
+    char dir[PATH_MAX], shortened[PATH_MAX + 1]; // A slash goes before the first part.
+    int ups = shorten_name(name, shortened);
     if (ups == 0) {
-        strcpy(inside, name); // Its links may lead elsewhere than the parts that were left out.
+        // As it is: a part that cancels out may be a link, which leads elsewhere.
+        snprintf(inside, PATH_MAX, "%s", name);
         return true;
     }
-    if (!find_real_path(folder, dir)) {
+    const char *own = find_real_path(folder, dir) ? last_parts(dir, ups) : NULL;
+    if (!own || !is_inside(own, shortened)) {
         return false;
     }
-    char *tail = dir + strlen(dir);
-    for (; ups > 0 && tail > dir; ups--) {
-        do {
-            tail--;
-        } while (tail > dir && *tail != '/');
-    }
-    size_t tail_length = strlen(tail);
-    if (ups > 0 || strncmp(inside, tail, tail_length) != 0 || inside[tail_length] != '/') {
-        return false;
-    }
-    memmove(inside, inside + tail_length + 1, length - tail_length);
+    snprintf(inside, PATH_MAX, "%s", shortened + strlen(own) + 1);
     return true;
 }
 
@@ -141,7 +154,7 @@ static int open_and_compare(int folder, const char *name) {
 
 /** Opens a file beneath a folder. @return See #open_and_compare. */
 static int open_beneath(int folder, const char *name) {
-    char inside[PATH_MAX + 1]; // A slash goes before the first part.
+    char inside[PATH_MAX];
     if (!find_name_inside(folder, name, inside)) {
         errno = ENOENT;
         return -1;

@@ -48,7 +48,7 @@ void worker_clock_exclude(WorkerClock *clock, double seconds) {
 }
 
 void worker_clock_charge(WorkerClock *clock, double seconds) {
-    clock->charged += seconds;
+    clock->processor_limit -= seconds;
 }
 
 double worker_clock_elapsed(const WorkerClock *clock) {
@@ -64,7 +64,7 @@ double worker_clock_left(const WorkerClock *clock) {
     double left = clock->deadline - clock_now_seconds();
     return clock->processor_started < 0
                ? left
-               : fmin(left, clock->processor_limit - clock->charged - worker_clock_used(clock));
+               : fmin(left, clock->processor_limit - worker_clock_used(clock));
 }
 
 bool worker_clock_is_stalled(const WorkerClock *clock) {

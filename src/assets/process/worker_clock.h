@@ -19,7 +19,6 @@ typedef struct WorkerClock {
     clockid_t processor;      /**< Clock of the processor time of the worker. */
     double processor_started; /**< Its value at the start; negative: it cannot be read. */
     double processor_limit;   /**< Largest processor time since then, seconds. */
-    double charged;           /**< Processor time that others needed for it since then, seconds. */
 } WorkerClock;
 
 /**
@@ -48,7 +47,8 @@ void worker_clock_start(WorkerClock *clock, pid_t pid, double time_limit, double
  */
 void worker_clock_exclude(WorkerClock *clock, double seconds);
 
-/** Counts processor time that this process needed to answer the worker. @param seconds The time. */
+/** Takes from the limit the processor time that this process needed to answer the worker. @param
+ *  seconds The time. */
 void worker_clock_charge(WorkerClock *clock, double seconds);
 
 /** @return Seconds since the start, on the wall clock. */

@@ -64,10 +64,11 @@ static bool find_real_path(int file, char real_path[PATH_MAX]) {
 }
 
 /**
- * Leaves out of a name what cancels out: `.`, and `..` with the part before it.
+ * Leaves out of a name what cancels out: parts of one dot, and of two with the part before them.
  * @param name           The name.
- * @param[out] shortened  What is left but the `..` at its beginning, each part after a slash.
- * @return Number of these `..`.
+ * @param[out] shortened  What is left but the parts of two dots at its beginning, each part after a
+ *                        slash.
+ * @return Number of these parts of two dots.
  */
 static int shorten_name(const char *name, char shortened[PATH_MAX + 1]) {
     size_t length = 0;

@@ -71,6 +71,9 @@ shown '^figure C4' && settled
 xdotool key Tab && settled
 xdotool key Return
 expect_shown '^Shadows' 'Tab in the list goes to the lessons'
+# All keys at once: none waits for the list.
+xdotool key Escape Escape f Tab Return
+expect_shown '^Shadows' 'also where the keys come before the list'
 leave
 # What is slow: a scene for ever, with others before and after it, and keys meanwhile.
 echo 'while true do end' >"$work/few/ever.lua"

@@ -178,7 +178,7 @@ static void test_thumbnails(void **state) {
 }
 
 /** The scene on screen is selected once all were found: an event that comes before, such as the
- * last one of the previous list, selects nothing, and Enter opens nothing. */
+ * last one of the previous list, selects nothing. Enter that comes before opens it then. */
 static void test_selected_first(void **state) {
     Browser *browser = calloc(1, sizeof *browser);
     Previews previews = {.list = &browser->list};
@@ -193,8 +193,10 @@ static void test_selected_first(void **state) {
     browser_select_current(browser);
     assert_false(browser->has_selection);
     assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_KEEP_OPEN);
+    assert_false(browser->is_requested);
     atomic_store(&browser->list.is_complete, true);
     browser_select_current(browser);
+    assert_true(browser->is_requested);
     char selected[PATH_MAX];
     assert_true(browser_selected_path(browser, selected));
     assert_string_equal(selected, path);
@@ -219,8 +221,8 @@ static void test_selected_first(void **state) {
     atomic_store(&browser->list.is_running, true);
     assert_true(browser_open(browser, &settings, 0, path));
     browser_select_current(browser);
-    assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_KEEP_OPEN);
     browser_key(browser, SDLK_TAB);
+    assert_int_equal(browser_key(browser, SDLK_RETURN), BROWSER_KEEP_OPEN);
     atomic_store(&browser->list.is_running, false);
     assert_true(browser_open(browser, &settings, 0, path));
     while (scene_list_is_busy(&browser->list)) {
@@ -228,6 +230,7 @@ static void test_selected_first(void **state) {
     }
     browser_select_current(browser);
     assert_int_equal(browser->selected, 0);
+    assert_true(browser->is_requested);
     // A Tab that comes before the selection goes to the lessons, too.
     assert_true(browser_open(browser, &settings, 0, path));
     while (scene_list_is_busy(&browser->list)) {

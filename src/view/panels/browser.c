@@ -12,8 +12,9 @@ enum { PAGE_LINES = 3 };
 bool browser_open(Browser *browser, const ViewSettings *settings, uint32_t event,
                   const char *path) {
     SDL_StartTextInput();
-    // That the first lesson is wanted outlasts the wait for the previous list.
+    // What keys have asked for outlasts the wait for the previous list.
     browser->begins_at_top = browser->is_reopen_pending && browser->begins_at_top;
+    browser->opens_first = browser->is_reopen_pending && browser->opens_first;
     if (scene_list_is_busy(&browser->list)) {
         // Its thread is ending, and sends an event then. The previous list is shown until then, but
         // its selection is not that of the next one: keys are for that.
@@ -207,6 +208,7 @@ void browser_select_current(Browser *browser) {
         }
     }
     select_position(browser, &order, current);
+    browser->is_requested = browser->opens_first && browser->has_selection;
 }
 
 void browser_begin_at_top(Browser *browser) {
@@ -270,8 +272,9 @@ BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
     if (key == SDLK_BACKSPACE) {
         erase_character(browser);
     }
-    if ((key == SDLK_RETURN || key == SDLK_KP_ENTER) && order.count > 0 && browser->has_selection) {
-        return BROWSER_OPEN_SCENE;
+    if (key == SDLK_RETURN || key == SDLK_KP_ENTER) {
+        browser->opens_first = !browser->has_selection;
+        return order.count > 0 && browser->has_selection ? BROWSER_OPEN_SCENE : BROWSER_KEEP_OPEN;
     }
     return key == SDLK_ESCAPE ? BROWSER_CLOSE : BROWSER_KEEP_OPEN;
 }

@@ -24,13 +24,15 @@ typedef struct Browser {
     bool is_reopen_pending; /**< Whether it is filled once the previous list's thread has ended. */
     bool has_selection;     /**< Whether one was selected: by a key, or the first time. */
     bool begins_at_top;     /**< Whether the first time the first lesson is selected. */
-    char path[PATH_MAX];    /**< File of the scene on screen. */
-    size_t selected;        /**< Index of the selected scene. */
+    bool opens_first; /**< Whether what is selected the first time is opened: Enter came before. */
+    char path[PATH_MAX];              /**< File of the scene on screen. */
+    size_t selected;                  /**< Index of the selected scene. */
     char filter[BROWSER_FILTER_SIZE]; /**< Only scenes with these words are shown; empty: all. */
     bool scrolls;                     /**< Whether the next frame scrolls to the selected scene. */
-    bool is_requested;                /**< Whether the selected scene was clicked. */
-    bool is_close_requested;          /**< Whether the button that closes the list was clicked. */
-    bool follows_mouse;               /**< Whether the mouse was moved after the last key. */
+    bool is_requested;       /**< Whether the selected scene is to be opened: by a click, or see
+                                #opens_first. */
+    bool is_close_requested; /**< Whether the button that closes the list was clicked. */
+    bool follows_mouse;      /**< Whether the mouse was moved after the last key. */
     size_t described; /**< Index of the scene whose title is shown: the one under the mouse if it
                            was moved last, else the selected one. */
     int columns;      /**< Thumbnails per line in the last frame; 0: none yet. */

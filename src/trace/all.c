@@ -24,6 +24,7 @@
 #include "trace/glass/contact.c"
 #include "trace/glass/dielectric.c"
 #include "trace/glass/interior_list.c"
+#include "trace/glass/neighbours.c"
 #include "trace/lights/cylinder_light.c"
 #include "trace/lights/direct_lighting.c"
 #include "trace/lights/emitters.c"

@@ -91,6 +91,9 @@ void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part, BeamCand
  */
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
 
+/** Finds closer hits of a packet. @param[in,out] hits Nearest hits so far, per vector of rays. */
+void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
+
 /**
  * Finds the rays of a packet that meet any shape before their limit.
  * @param packet         The rays, at least one active.

@@ -243,11 +243,10 @@ INLINE unsigned single_ray_candidates(const ShapeSet *set, const Packet *packet,
                                                          vectors, near);
 }
 
-/** #shape_set_closest_hits for a packet of one ray. */
+/** #shape_set_update_hits for a packet of one ray. */
 INLINE void single_ray_closest_hit(const ShapeSet *set, const Packet *packet, Hit *hits) {
     const SlabOrder *order = single_ray_slab_order(packet);
     PackReal near[PACK_VECTORS];
-    hits[0] = hit_none(packet->limit[0]);
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         unsigned remaining =
             single_ray_candidates(set, packet, order, hits[0].distance, pack, near);
@@ -340,12 +339,16 @@ void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
 }
 
 void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        hits[v] = hit_none(packet->limit[v]);
+    }
+    shape_set_update_hits(set, packet, hits);
+}
+
+void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     if (LANES == 1) {
         single_ray_closest_hit(set, packet, hits);
         return;
-    }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        hits[v] = hit_none(packet->limit[v]);
     }
     if (packet->has_beam && packet->only_shape) {
         shape_closest_hits(packet->only_shape, 0, packet, hits);

@@ -83,7 +83,8 @@ unsigned dielectric_hit_find(const RayOffset *offset, SurfaceHit *surface,
         return 0;
     }
     if (packet_active_count(&entry.segments) > 0) {
-        dielectrics_cross_segments(surface->dielectrics, &entry.segments, interior_behind);
+        dielectrics_cross_segments(surface->dielectrics, &entry.segments, surface->hits,
+                                   interior_behind);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (any(dielectric->is_transmitted[v])) {

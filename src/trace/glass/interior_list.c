@@ -2,7 +2,7 @@
  * @file
  * @brief Interior lists.
  */
-#include "trace/glass/interior_list.h"
+#include "trace/glass/neighbours.h"
 
 #include <stdlib.h>
 
@@ -34,15 +34,6 @@ static bool shape_is_transparent(const Shape *shape, const void *context) {
 /** See #ShapePredicate. @return Whether a shape is not transparent. */
 static bool shape_is_opaque(const Shape *shape, const void *context) {
     return !shape_is_transparent(shape, context);
-}
-
-/** @return Whether two boxes overlap. */
-static bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
-    bool overlap = true;
-    for (int axis = 0; axis < 3; axis++) {
-        overlap = overlap && a->low[axis] <= b->high[axis] && b->low[axis] <= a->high[axis];
-    }
-    return overlap;
 }
 
 /** @return Whether a box is bounded. */
@@ -77,7 +68,7 @@ static bool shapes_may_touch(const Shape *opaque, const Shape *transparent) {
     if (!is_plane || !aabbs_is_bounded(&glass)) {
         return aabbs_overlap(&box, &glass);
     }
-    glass = aabbs_padded_by_largest(glass);
+    glass = aabbs_padded_by_largest(glass, AABB_ROUNDINGS);
     return shape_crosses_diagonal(opaque, &glass);
 }
 
@@ -125,7 +116,7 @@ bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeS
                              settings) &&
             shape_set_filter(&dielectrics->opaque, shapes, shape_is_opaque, dielectrics,
                              settings) &&
-            touching_init(dielectrics, shapes, settings));
+            touching_init(dielectrics, shapes, settings) && neighbours_init(dielectrics));
 }
 
 /** Most tinted shapes that are tested for overlaps; if there are more, an override is assumed. */
@@ -136,7 +127,8 @@ static bool material_is_tinted(const Material *s) {
     return s->transmittance.red < 1 || s->transmittance.green < 1 || s->transmittance.blue < 1;
 }
 
-void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials) {
+/** Sets #Dielectrics.may_override. */
+static void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials) {
     Aabbs tinted[MAX_TINTED_SHAPES];
     size_t count = 0;
     for (size_t i = 0; !dielectrics->may_override && i < dielectrics->transparent.count; i++) {
@@ -153,13 +145,39 @@ void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materi
     }
 }
 
+/** What makes a shape #Dielectrics.tinted. */
+typedef struct TintQuery {
+    const Dielectrics *dielectrics; /**< The transparent shapes. */
+    const Material *materials;      /**< The materials. */
+} TintQuery;
+
+/** See #ShapePredicate. @return Whether a shape matters to shadow rays. */
+static bool shape_is_tinted(const Shape *shape, const void *context) {
+    const TintQuery *query = context;
+    return shape_is_transparent(shape, query->dielectrics) &&
+           (query->dielectrics->may_override ||
+            material_is_tinted(&query->materials[shape->material]));
+}
+
+bool dielectrics_find_tints(Dielectrics *dielectrics, const Material *materials,
+                            const TraceSettings *settings) {
+    const TintQuery query = {dielectrics, materials};
+    dielectrics_find_overrides(dielectrics, materials);
+    return dielectrics->transparent.count == 0 ||
+           shape_set_filter(&dielectrics->tinted, dielectrics->all, shape_is_tinted, &query,
+                            settings);
+}
+
 void dielectrics_deinit(Dielectrics *dielectrics) {
     free(dielectrics->iors);
     free(dielectrics->offset_scales);
+    free(dielectrics->neighbours);
     dielectrics->iors = dielectrics->offset_scales = NULL;
+    dielectrics->neighbours = NULL;
     shape_set_deinit(&dielectrics->transparent);
     shape_set_deinit(&dielectrics->opaque);
     shape_set_deinit(&dielectrics->touching);
+    shape_set_deinit(&dielectrics->tinted);
 }
 
 /** @return The lanes in which rays hit a shape from inside. @param hit_lanes The lanes that hit it.
@@ -218,6 +236,6 @@ static void segment_cross_shape(const Shape *shape, const Packet *segments, int 
 }
 
 void dielectrics_cross_segments(const Dielectrics *dielectrics, const Packet *segments,
-                                InteriorList *interior) {
-    shape_set_visit(&dielectrics->transparent, segments, segment_cross_shape, interior);
+                                const Hit *hits, InteriorList *interior) {
+    neighbours_visit_segments(dielectrics, segments, hits, segment_cross_shape, interior);
 }

@@ -23,17 +23,23 @@ typedef struct InteriorList {
     integer shapes[INTERIOR_LIST_CAPACITY]; /**< Their indices in descending order; then -1. */
 } InteriorList;
 
+/** See trace/glass/neighbours.h. */
+typedef struct Neighbours Neighbours;
+
 /** The transparent shapes of a scene. */
 typedef struct Dielectrics {
     scalar *iors;         /**< Indices of refraction: of air, then of each shape, 0 if it is opaque;
                                owned. NULL: no shape is transparent. */
     ShapeSet transparent; /**< The transparent shapes. */
     ShapeSet opaque;      /**< The opaque shapes. */
+    ShapeSet tinted;      /**< The transparent shapes that matter to shadow rays: those that absorb
+                               light; all, where one overrides another. */
     ShapeSet touching;    /**< Those of them that may touch a transparent shape. */
     const ShapeSet *all;  /**< All shapes; not owned. */
     scalar *offset_scales; /**< Factors of the ray offset: 1 for air, then of each shape 0 if it is
                                 transparent, #TOUCHING_OFFSET_SCALE if it is in #touching, or 1;
                                 owned. NULL: no shape touches a transparent one. */
+    Neighbours *neighbours; /**< What rays inside of each shape meet; owned. */
     InteriorList camera_interior; /**< The shapes that the camera is inside of. */
     bool may_override; /**< Whether a later shape may override a tinted surface, for shadow rays. */
 } Dielectrics;
@@ -123,9 +129,19 @@ INLINE real dielectrics_ior(const Dielectrics *dielectrics, integer shape_index)
 bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
                       const TraceSettings *settings);
 
-/** Sets #Dielectrics.may_override: whether the bounding box of a tinted shape overlaps that of a
- * later transparent one. */
-void dielectrics_find_overrides(Dielectrics *dielectrics, const Material *materials);
+/** @return Whether two boxes overlap. */
+static inline bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
+    bool overlap = true;
+    for (int axis = 0; axis < 3; axis++) {
+        overlap = overlap && a->low[axis] <= b->high[axis] && b->low[axis] <= a->high[axis];
+    }
+    return overlap;
+}
+
+/** Sets #Dielectrics.tinted and #Dielectrics.may_override: whether the bounding box of a tinted
+ * shape overlaps that of a later transparent one. @return Whether memory sufficed. */
+bool dielectrics_find_tints(Dielectrics *dielectrics, const Material *materials,
+                            const TraceSettings *settings);
 
 /** Releases both sets. */
 void dielectrics_deinit(Dielectrics *dielectrics);
@@ -142,9 +158,10 @@ void dielectrics_set_camera(Dielectrics *dielectrics, Vec3 camera_position);
  * crossed, not only the one that was hit.
  * @param segments  The segments, by offset_segment_set(). They run backwards: the transmitted ray
  *         starts inside of the shapes that a segment first hits from inside.
+ * @param hits  The surfaces that were hit, per vector.
  * @param[in,out] interior  One list per vector.
  */
 void dielectrics_cross_segments(const Dielectrics *dielectrics, const Packet *segments,
-                                InteriorList *interior);
+                                const Hit *hits, InteriorList *interior);
 
 #endif

@@ -62,7 +62,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
                            &segments);
     }
     if (packet_active_count(&segments) > 0) {
-        dielectrics_cross_segments(dielectrics, &segments, interior);
+        dielectrics_cross_segments(dielectrics, &segments, hits, interior);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (!any(is_transmitted[v])) {
@@ -75,17 +75,18 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
 
 /**
  * Multiplies the transmittance by that of the next surface of each ray.
+ * @param glass  The shapes that count.
  * @param offset  How rays leave a surface.
  * @param[in,out] rays  The rays; active where there may be more surfaces.
  * @param[in,out] interior  The shapes that they are inside of, if #Dielectrics.may_override.
  * @param[in,out] transmittance  See #shadow_transmittance_find.
  */
-static void shadow_transmittance_step(const ShapeSet *shapes, const RayOffset *offset,
-                                      const SurfaceHit *surface, Packet *rays,
-                                      InteriorList *interior, Rgb *transmittance) {
+static void shadow_transmittance_step(const ShapeSet *shapes, const ShapeSet *glass,
+                                      const RayOffset *offset, const SurfaceHit *surface,
+                                      Packet *rays, InteriorList *interior, Rgb *transmittance) {
     Hit hits[PACKET_VECTORS];
     mask overridden[PACKET_VECTORS] = {0};
-    shape_set_closest_hits(&surface->dielectrics->transparent, rays, hits);
+    shape_set_closest_hits(glass, rays, hits);
     if (surface->dielectrics->may_override) {
         find_overridden(offset, surface->dielectrics, rays, hits, interior, overridden);
     }
@@ -107,18 +108,27 @@ static void shadow_transmittance_step(const ShapeSet *shapes, const RayOffset *o
 void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
                                const SurfaceHit *surface, const Packet *shadow, mask *occluded,
                                Rgb *transmittance) {
-    Packet rays = *shadow;
+    // On a clear surface, only a ray that does not leave it loses its light.
+    const ShapeSet *glass = offset->strategy == OFFSET_BOUND ? &surface->dielectrics->tinted
+                                                             : &surface->dielectrics->transparent;
+    Packet rays;
     InteriorList interior[PACKET_VECTORS];
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
+    }
+    if (glass->count == 0) {
+        return;
+    }
+    rays = *shadow;
     rays.wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         rays.active[v] &= mask_not(occluded[v]);
-        transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
         if (surface->dielectrics->may_override && any(rays.active[v])) {
             interior[v] = surface->interior[v];
         }
     }
     for (int i = 0; i < MAX_SHADOW_SURFACES && packet_active_count(&rays) > 0; i++) {
-        shadow_transmittance_step(shapes, offset, surface, &rays, interior, transmittance);
+        shadow_transmittance_step(shapes, glass, offset, surface, &rays, interior, transmittance);
     }
     for (int v = 0; v < PACKET_VECTORS; v++) {
         occluded[v] |= rays.active[v] | mask_not(rgb_max(transmittance[v]) > 0);

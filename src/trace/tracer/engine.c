@@ -126,7 +126,11 @@ static Tracer *engine_create_tracer(const Scene *scene, const TraceSettings *set
         for (size_t i = 0; i < scene->material_count; i++) {
             tracer->materials[i] = material_of(&scene->materials[i], scene->ambient);
         }
-        dielectrics_find_overrides(&tracer->dielectrics, tracer->materials);
+        if (!dielectrics_find_tints(&tracer->dielectrics, tracer->materials, settings)) {
+            engine_destroy_tracer(tracer);
+            error_set(error, STATUS_FAILED, "no memory for the scene");
+            return NULL;
+        }
         engine_set_view(tracer, scene, scene->image.width, scene->image.height);
     }
     return tracer;

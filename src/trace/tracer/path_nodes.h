@@ -60,6 +60,16 @@ INLINE void path_nodes_set_color(PathNodes *nodes, NodeColor which, unsigned fir
     real_store(&columns[2][first], color.blue);
 }
 
+/** @return Where nodes keep a child, as one number. */
+INLINE integer node_link(integer nodes, Child child) {
+    return nodes * CHILD_COUNT + (int)child;
+}
+
+/** Sets the node of a child. @param link By node_link(). */
+INLINE void path_nodes_set_child(PathNodes *nodes, int link, int node) {
+    nodes->children[link % CHILD_COUNT][link / CHILD_COUNT] = node;
+}
+
 /** Adds nodes of a vector of rays, without children. @param weight See #NODE_WEIGHT. @return The
  *  first of them. */
 INLINE unsigned path_nodes_add(PathNodes *nodes, Rgb weight, Rgb local, Rgb dropped, Rgb guarded) {

@@ -28,7 +28,7 @@ typedef enum RayColumnGroup {
 typedef struct RayColumns {
     scalar numbers[RAY_COLUMN_GROUP_COUNT][3][RAY_COLUMN_ROOMS]; /**< Numbers of the rays. */
     integer_scalar turns[RAY_COLUMN_ROOMS];                      /**< See #RayState. */
-    integer_scalar parent[RAY_COLUMN_ROOMS]; /**< Nodes of the rays that they come from. */
+    integer_scalar link[RAY_COLUMN_ROOMS];   /**< Whose children they are: see node_link(). */
     integer_scalar sample[RAY_COLUMN_ROOMS]; /**< Their camera rays. */
     /** The shapes that they are inside of; only as many columns as the scene needs are used. */
     integer_scalar interior[INTERIOR_LIST_CAPACITY][RAY_COLUMN_ROOMS];
@@ -38,7 +38,7 @@ typedef struct RayColumns {
 typedef struct RayVector {
     real numbers[RAY_COLUMN_GROUP_COUNT][3]; /**< See #RayColumns. */
     integer turns;                           /**< See #RayColumns. */
-    integer parent;                          /**< See #RayColumns. */
+    integer link;                            /**< See #RayColumns. */
     integer sample;                          /**< See #RayColumns. */
     InteriorList interior;                   /**< See #RayColumns. */
 } RayVector;
@@ -49,8 +49,8 @@ static inline int ray_columns_interior_count(const Dielectrics *dielectrics) {
     return shapes < INTERIOR_LIST_CAPACITY ? (int)shapes : INTERIOR_LIST_CAPACITY;
 }
 
-/** @return A vector of rays for columns. @param weight, parent, sample See #RayColumns. */
-INLINE RayVector ray_vector_of(const RayState *rays, int v, Rgb weight, integer parent,
+/** @return A vector of rays for columns. @param weight, link, sample See #RayColumns. */
+INLINE RayVector ray_vector_of(const RayState *rays, int v, Rgb weight, integer link,
                                integer sample) {
     const Vec3 *origin = &rays->packet.rays[v].origin, *direction = &rays->packet.rays[v].direction;
     const Rgb *throughput = &rays->throughput[v];
@@ -59,7 +59,7 @@ INLINE RayVector ray_vector_of(const RayState *rays, int v, Rgb weight, integer 
                                    {throughput->red, throughput->green, throughput->blue},
                                    {weight.red, weight.green, weight.blue}},
                        .turns = rays->turns[v],
-                       .parent = parent,
+                       .link = link,
                        .sample = sample,
                        .interior = rays->interior[v]};
 }
@@ -74,7 +74,7 @@ INLINE void ray_columns_store(RayColumns *columns, unsigned first, unsigned bits
         }
     }
     integer_compress(&columns->turns[first], rays->turns, bits);
-    integer_compress(&columns->parent[first], rays->parent, bits);
+    integer_compress(&columns->link[first], rays->link, bits);
     integer_compress(&columns->sample[first], rays->sample, bits);
     for (int i = 0; i < interior_count; i++) {
         integer_compress(&columns->interior[i][first], rays->interior.shapes[i], bits);
@@ -91,7 +91,7 @@ INLINE RayVector ray_columns_load(const RayColumns *columns, unsigned first, int
         }
     }
     rays.turns = integer_load(&columns->turns[first]);
-    rays.parent = integer_load(&columns->parent[first]);
+    rays.link = integer_load(&columns->link[first]);
     rays.sample = integer_load(&columns->sample[first]);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
         rays.interior.shapes[i] =
@@ -110,7 +110,7 @@ static inline void ray_columns_copy(const RayColumns *columns, unsigned first, R
         }
     }
     memcpy(&to->turns[to_first], &columns->turns[first], integers);
-    memcpy(&to->parent[to_first], &columns->parent[first], integers);
+    memcpy(&to->link[to_first], &columns->link[first], integers);
     memcpy(&to->sample[to_first], &columns->sample[first], integers);
     for (int i = 0; i < interior_count; i++) {
         memcpy(&to->interior[i][to_first], &columns->interior[i][first], integers);
@@ -135,7 +135,7 @@ INLINE void ray_vector_repeat_first(RayVector *rays, mask lanes) {
         }
     }
     rays->turns = integer_repeat_first(rays->turns, lanes);
-    rays->parent = integer_repeat_first(rays->parent, lanes);
+    rays->link = integer_repeat_first(rays->link, lanes);
     rays->sample = integer_repeat_first(rays->sample, lanes);
     for (int i = 0; i < INTERIOR_LIST_CAPACITY; i++) {
         rays->interior.shapes[i] = integer_repeat_first(rays->interior.shapes[i], lanes);

@@ -17,31 +17,41 @@ typedef struct RayQueue {
     unsigned count;      /**< Number of rays. */
 } RayQueue;
 
-/** Allocates a queue for each kind of rays. @return Whether memory sufficed. */
-static inline bool ray_queues_init(RayQueue *queues) {
+/** The queues of a level: rays of one queue meet the same shapes. In the air, the first two hold
+ *  the rays of each #Child. */
+enum { QUEUE_INSIDE = CHILD_COUNT, QUEUE_COUNT };
+
+/** Allocates the queues of a level. @return Whether memory sufficed. */
+static inline bool ray_queues_init(RayQueue queues[QUEUE_COUNT]) {
     bool has_memory = true;
-    for (int child = 0; child < CHILD_COUNT; child++) {
-        queues[child].columns = malloc(sizeof *queues[child].columns);
-        has_memory = has_memory && queues[child].columns;
+    for (int i = 0; i < QUEUE_COUNT; i++) {
+        queues[i].columns = malloc(sizeof *queues[i].columns);
+        has_memory = has_memory && queues[i].columns;
     }
     return has_memory;
 }
 
 /** Frees the rays of queues. */
-static inline void ray_queues_deinit(RayQueue *queues) {
-    for (int child = 0; child < CHILD_COUNT; child++) {
-        free(queues[child].columns);
+static inline void ray_queues_deinit(RayQueue queues[QUEUE_COUNT]) {
+    for (int i = 0; i < QUEUE_COUNT; i++) {
+        free(queues[i].columns);
     }
 }
 
-/** @return The number of rays of both kinds. */
-static inline unsigned ray_queues_count(const RayQueue *queues) {
-    return queues[CHILD_REFLECTED].count + queues[CHILD_REFRACTED].count;
+/** @return The number of rays of all queues. */
+static inline unsigned ray_queues_count(const RayQueue queues[QUEUE_COUNT]) {
+    unsigned count = 0;
+    for (int i = 0; i < QUEUE_COUNT; i++) {
+        count += queues[i].count;
+    }
+    return count;
 }
 
 /** Empties queues. */
-static inline void ray_queues_clear(RayQueue *queues) {
-    queues[CHILD_REFLECTED].count = queues[CHILD_REFRACTED].count = 0;
+static inline void ray_queues_clear(RayQueue queues[QUEUE_COUNT]) {
+    for (int i = 0; i < QUEUE_COUNT; i++) {
+        queues[i].count = 0;
+    }
 }
 
 /** Adds rays. @param lanes Which lanes, as bits; there is room. */
@@ -64,7 +74,7 @@ typedef struct GatheredPacket {
     RayState rays;                         /**< The rays. */
     InteriorList interior[PACKET_VECTORS]; /**< The shapes that they are inside of. */
     Rgb weights[PACKET_VECTORS];           /**< See #NODE_WEIGHT. */
-    integer parents[PACKET_VECTORS];       /**< Nodes of the rays that they come from. */
+    integer links[PACKET_VECTORS];         /**< See #RayColumns. */
     uint32_t pixel_ids[PACKET_RAYS];       /**< See #SampleContext. */
     PacketSource source;                   /**< Their nodes. */
 } GatheredPacket;
@@ -90,7 +100,7 @@ INLINE void packet_set_vector(GatheredPacket *gathered, int v, RayVector *rays, 
     gathered->rays.turns[v] = rays->turns;
     gathered->interior[v] = rays->interior;
     gathered->weights[v] = rgb_of_row(rays->numbers[RAY_COLUMN_WEIGHT]);
-    gathered->parents[v] = rays->parent;
+    gathered->links[v] = rays->link;
     gathered->source.samples[v] = rays->sample;
 }
 

@@ -11,6 +11,7 @@
 #include "trace/tracer/tracer.h"
 
 #include "trace/glass/contact.h"
+#include "trace/glass/neighbours.h"
 #include "trace/lights/direct_lighting.h"
 #include "trace/tracer/aov.h"
 #include "trace/tracer/path_hash.h"
@@ -68,7 +69,11 @@ static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *su
     surface->dielectrics = &tracer->dielectrics;
     surface->dielectric = NULL;
     surface->interior = rays->interior;
-    shape_set_closest_hits(&tracer->shapes, packet, surface->hits);
+    if (rays->interior) {
+        neighbours_closest_hits(&tracer->dielectrics, packet, rays->interior, surface->hits);
+    } else {
+        shape_set_closest_hits(&tracer->shapes, packet, surface->hits);
+    }
     if (tracer->emitters.count > 0) {
         emitters_closest_hits(&tracer->emitters, packet, surface->hits);
     }

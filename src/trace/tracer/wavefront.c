@@ -19,9 +19,10 @@ struct Wavefront {
     bool had_ample_room;   /**< Whether those, and all that was resumed of them, used less than a
                                 quarter of each array. */
     int interior_count;    /**< Most shapes that a ray may be inside of. */
-    RayQueue level[CHILD_COUNT]; /**< The rays that are traced now. */
-    RayQueue next[CHILD_COUNT];  /**< The rays of the next level. */
-    RayQueue kept[CHILD_COUNT];  /**< Rays for wavefront_resume(), in the order of their bounces. */
+    RayQueue level[QUEUE_COUNT]; /**< The rays that are traced now. */
+    RayQueue next[QUEUE_COUNT];  /**< The rays of the next level. */
+    RayQueue kept[QUEUE_COUNT];  /**< Rays of each #Child for wavefront_resume(), in the order of
+                                      their bounces. */
     unsigned kept_end[CHILD_COUNT][DEPTH_MAXIMUM + 2]; /**< Number of those up to each bounce. */
     unsigned bounces;                                  /**< Number of levels that were traced. */
     uint32_t pixel_ids[WAVEFRONT_SAMPLES];             /**< See #SampleContext, per camera ray. */
@@ -124,6 +125,20 @@ static void roots_add(Wavefront *wavefront, int p, const CameraPacket *packet,
     }
 }
 
+/** Adds rays to the queues of a level: those inside of a shape, and others. @param lanes Which
+ *  lanes, as bits; there is room. */
+INLINE void ray_queues_add(RayQueue queues[QUEUE_COUNT], Child child, unsigned lanes,
+                           const RayVector *rays, int interior_count) {
+    mask is_inside = interior_list_top(&rays->interior) >= integer_of(0);
+    unsigned inside = lanes & mask_bits(is_inside);
+    if (inside) {
+        ray_queue_add(&queues[QUEUE_INSIDE], inside, rays, interior_count);
+    }
+    if (lanes & ~inside) {
+        ray_queue_add(&queues[child], lanes & ~inside, rays, interior_count);
+    }
+}
+
 /** Notes at their parents that rays are kept. @param kept Of their kind. @param parent The first
  *  node of the vector that they come from. */
 INLINE void kept_rays_link(PathNodes *nodes, Child child, unsigned kept, unsigned lanes,
@@ -142,8 +157,8 @@ INLINE void kept_rays_link(PathNodes *nodes, Child child, unsigned kept, unsigne
 INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child child,
                                      const PacketSource *source, const SecondaryRays *secondary) {
     const int interior_count = wavefront->interior_count;
-    RayQueue *next = &wavefront->next[child], *kept = &wavefront->kept[child];
-    unsigned before = next->count;
+    RayQueue *kept = &wavefront->kept[child];
+    unsigned count = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         unsigned lanes = mask_bits(secondary->rays.packet.active[v]);
         if (lanes == 0) {
@@ -151,15 +166,17 @@ INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child 
         }
         mask is_heavy = rgb_max(secondary->rays.throughput[v]) >= cutoff;
         unsigned heavy = lanes & mask_bits(is_heavy), light = lanes & ~heavy;
-        RayVector rays = ray_vector_of(&secondary->rays, v, secondary->weights[v],
-                                       lane_numbers() + (int)source->nodes[v], source->samples[v]);
-        ray_queue_add(next, heavy, &rays, interior_count);
+        integer links = node_link(lane_numbers() + (int)source->nodes[v], child);
+        RayVector rays = ray_vector_of(&secondary->rays, v, secondary->weights[v], links,
+                                       source->samples[v]);
+        ray_queues_add(wavefront->next, child, heavy, &rays, interior_count);
+        count += (unsigned)__builtin_popcount(heavy);
         if (light) {
             kept_rays_link(wavefront->nodes, child, kept->count, light, source->nodes[v]);
             ray_queue_add(kept, light, &rays, interior_count);
         }
     }
-    return next->count - before;
+    return count;
 }
 
 /** Queues the rays that start at the surfaces of a packet. See secondary_rays_queue(). */
@@ -191,12 +208,9 @@ static void packet_set_context(const Wavefront *wavefront, const SampleContext *
     }
 }
 
-/**
- * Adds nodes for the rays of a packet.
- * @param refracted  How many are refracted; they come first.
- */
-static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, unsigned refracted,
-                      const Rgb *colors, const Losses *losses) {
+/** Adds nodes for the rays of a packet. */
+static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, const Rgb *colors,
+                      const Losses *losses) {
     for (unsigned v = 0; v < PACKET_VECTORS; v++) {
         unsigned lanes = mask_bits(gathered->rays.packet.active[v]);
         if (lanes == 0) {
@@ -206,9 +220,8 @@ static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, unsigned refra
                                         losses->guarded[v]);
         gathered->source.nodes[v] = first;
         for (unsigned lane = 0; lane < LANES && lanes >> lane & 1; lane++) {
-            Child child = v * LANES + lane < refracted ? CHILD_REFRACTED : CHILD_REFLECTED;
-            int parent = integer_at(&gathered->parents[v], (int)lane);
-            nodes->children[child][parent] = (int)(first + lane);
+            path_nodes_set_child(nodes, integer_at(&gathered->links[v], (int)lane),
+                                 (int)(first + lane));
         }
     }
 }
@@ -217,12 +230,10 @@ static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, unsigned refra
  * Traces a packet of queued rays, and queues the rays that start at its surfaces.
  * @param cutoff  Rays of less throughput are kept.
  * @param context  Its cutoff is the least throughput of rays that are kept.
- * @param refracted  How many of the rays are refracted; they come first.
  */
 static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefront, scalar cutoff,
                                                              const TraceContext *context,
-                                                             GatheredPacket *gathered,
-                                                             unsigned refracted) {
+                                                             GatheredPacket *gathered) {
     ScatteredRays scattered;
     Rgb colors[PACKET_VECTORS];
     Losses losses;
@@ -230,7 +241,7 @@ static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefron
     if (!is_scattered) {
         losses_clear(&losses);
     }
-    nodes_add(wavefront->nodes, gathered, refracted, colors, &losses);
+    nodes_add(wavefront->nodes, gathered, colors, &losses);
     if (is_scattered) {
         scattered_rays_queue(wavefront, cutoff, &gathered->source, &scattered, context->counts);
     }
@@ -256,11 +267,10 @@ typedef struct Level {
     unsigned bounce;                     /**< See #SampleContext. */
 } Level;
 
-/** Traces rays in columns. @param first Place of the first. @param count Number of rays. @param
- *  refracted How many are refracted; they come first. @return Whether memory sufficed. */
+/** Traces rays in columns. @param first Place of the first. @param count Number of rays. @return
+ *  Whether memory sufficed. */
 static bool wavefront_trace_columns(Wavefront *wavefront, const Level *level,
-                                    const RayColumns *columns, unsigned first, unsigned count,
-                                    unsigned refracted) {
+                                    const RayColumns *columns, unsigned first, unsigned count) {
     for (unsigned done = 0; done < count; done += PACKET_RAYS) {
         GatheredPacket gathered;
         if (!wavefront_has_room(wavefront)) {
@@ -269,32 +279,34 @@ static bool wavefront_trace_columns(Wavefront *wavefront, const Level *level,
         packet_gather(columns, wavefront->interior_count, first + done,
                       count - done < PACKET_RAYS ? count - done : PACKET_RAYS, &gathered);
         packet_set_context(wavefront, level->sample_context, level->bounce, &gathered);
-        wavefront_trace_packet(wavefront, level->cutoff, level->context, &gathered,
-                               refracted > done ? refracted - done : 0);
+        wavefront_trace_packet(wavefront, level->cutoff, level->context, &gathered);
     }
     return true;
 }
 
-/** Traces the rays of the current level: neighbours stay together, first the refracted ones.
- *  @return Whether memory sufficed. */
+/** Traces the rays of the current level: neighbours stay together. @return Whether memory
+ *  sufficed. */
 static bool wavefront_trace_level(Wavefront *wavefront, const Level *level) {
-    const RayQueue *refracted = &wavefront->level[CHILD_REFRACTED],
+    const RayQueue *inside = &wavefront->level[QUEUE_INSIDE],
+                   *refracted = &wavefront->level[CHILD_REFRACTED],
                    *reflected = &wavefront->level[CHILD_REFLECTED];
     wavefront_note_room(wavefront);
     unsigned rest = level_join(wavefront);
-    return wavefront_trace_columns(wavefront, level, refracted->columns, RAY_COLUMN_FIRST,
-                                   refracted->count, refracted->count) &&
+    return wavefront_trace_columns(wavefront, level, inside->columns, RAY_COLUMN_FIRST,
+                                   inside->count) &&
+           wavefront_trace_columns(wavefront, level, refracted->columns, RAY_COLUMN_FIRST,
+                                   refracted->count) &&
            wavefront_trace_columns(wavefront, level, reflected->columns, RAY_COLUMN_FIRST - rest,
-                                   rest + reflected->count, rest);
+                                   rest + reflected->count);
 }
 
 /** Makes the next level the current one. */
 static void wavefront_advance(Wavefront *wavefront) {
-    for (int child = 0; child < CHILD_COUNT; child++) {
-        RayQueue done = wavefront->level[child];
+    for (int i = 0; i < QUEUE_COUNT; i++) {
+        RayQueue done = wavefront->level[i];
         done.count = 0;
-        wavefront->level[child] = wavefront->next[child];
-        wavefront->next[child] = done;
+        wavefront->level[i] = wavefront->next[i];
+        wavefront->next[i] = done;
     }
 }
 
@@ -431,15 +443,15 @@ static unsigned resumed_lanes(const CameraPacket *packets, const integer *sample
  *  the last. @return Their number. */
 static unsigned kept_rays_queue(Wavefront *wavefront, const CameraPacket *packets, Child child,
                                 unsigned first, unsigned end) {
-    RayQueue *level = &wavefront->level[child];
-    unsigned before = level->count;
+    unsigned count = 0;
     for (; first < end; first += LANES) {
         RayVector rays = ray_columns_load(wavefront->kept[child].columns, RAY_COLUMN_FIRST + first,
                                           wavefront->interior_count);
-        ray_queue_add(level, resumed_lanes(packets, &rays.sample, end - first), &rays,
-                      wavefront->interior_count);
+        unsigned lanes = resumed_lanes(packets, &rays.sample, end - first);
+        ray_queues_add(wavefront->level, child, lanes, &rays, wavefront->interior_count);
+        count += (unsigned)__builtin_popcount(lanes);
     }
-    return level->count - before;
+    return count;
 }
 
 /** Queues the rays of a bounce that were kept. @return Whether they found room. */

@@ -1,0 +1,219 @@
+/**
+ * @file
+ * @brief What rays meet inside of a transparent shape, and at its wall.
+ */
+#include "trace/glass/neighbours.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/** Most shapes of a scene whose neighbours are looked for: each pair of boxes is compared. */
+enum { NEIGHBOUR_SHAPES_MAXIMUM = 512 };
+
+/** By how many roundings of its largest coordinate a box is enlarged, each half an ulp: offset
+ *  segments reach a few error bounds of a hit beyond the wall. */
+#define NEIGHBOUR_ROUNDINGS 256
+
+/* --- the neighbours of a shape ---------------------------------------------------------------- */
+
+/** @return The neighbours of a transparent shape. */
+static Neighbours neighbours_of(const Shape *glass, const ShapeSet *all) {
+    Neighbours neighbours = {
+        .box = aabbs_padded_by_largest(glass->class->bounds(glass), NEIGHBOUR_ROUNDINGS)};
+    int count = 0;
+    for (size_t i = 0; count <= NEIGHBOURS_MAXIMUM && i < all->count; i++) {
+        const Shape *shape = all->shapes[i];
+        Aabbs box = shape->class->bounds(shape);
+        if (!aabbs_overlap(&neighbours.box, &box) && !shape_exceeds_box(shape)) {
+            continue;
+        }
+        if (count < NEIGHBOURS_MAXIMUM) {
+            neighbours.shapes[count] = shape;
+        }
+        count++;
+    }
+    neighbours.count = count <= NEIGHBOURS_MAXIMUM ? count : 0;
+    return neighbours;
+}
+
+bool neighbours_init(Dielectrics *dielectrics) {
+    const ShapeSet *all = dielectrics->all, *transparent = &dielectrics->transparent;
+    dielectrics->neighbours = calloc(all->count, sizeof *dielectrics->neighbours);
+    if (!dielectrics->neighbours) {
+        return false;
+    }
+    for (size_t i = 0; all->count <= NEIGHBOUR_SHAPES_MAXIMUM && i < transparent->count; i++) {
+        const Shape *glass = transparent->shapes[i];
+        dielectrics->neighbours[glass->index] = neighbours_of(glass, all);
+    }
+    return true;
+}
+
+/* --- the rays of one shape -------------------------------------------------------------------- */
+
+/** The rays of a packet that are in or at one transparent shape. */
+typedef struct GlassRays {
+    const Neighbours *neighbours; /**< Of the shape. */
+    mask lanes[PACKET_VECTORS];   /**< The rays, per vector. */
+} GlassRays;
+
+/** @return The lanes whose point is in a box. */
+INLINE mask aabbs_contains(const Aabbs *box, const Vec3 *point) {
+    mask contains = mask_of(true);
+    for (int axis = 0; axis < 3; axis++) {
+        real x = vec3_component(point, axis);
+        contains &= (x >= real_of(box->low[axis])) & (x <= real_of(box->high[axis]));
+    }
+    return contains;
+}
+
+/** @return Whether any lane is set. @param lanes Per vector of a packet. */
+INLINE bool any_of(const mask *lanes) {
+    mask sum = lanes[0];
+    for (int v = 1; v < PACKET_VECTORS; v++) {
+        sum |= lanes[v];
+    }
+    return any(sum);
+}
+
+/** @return Some rays of a packet. @param lanes Which, per vector. */
+INLINE Packet packet_part(const Packet *packet, const mask *lanes) {
+    Packet part = *packet;
+    memcpy(part.active, lanes, sizeof part.active);
+    return part;
+}
+
+/** @return The first of some shapes; -1: there is none. @param lanes Which lanes, per vector. */
+INLINE int first_shape(const integer *shapes, const mask *lanes) {
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(lanes[v])) {
+            return integer_at(&shapes[v], mask_first(lanes[v]));
+        }
+    }
+    return -1;
+}
+
+/**
+ * Takes the rays of the first shape that has neighbours.
+ * @param shapes          The shape that each ray is in or at.
+ * @param[in,out] lanes   The rays; those that are taken, or without neighbours, are removed.
+ * @param[out] taken      The rays that are taken.
+ * @return Whether there are any.
+ */
+static bool glass_rays_take(const Dielectrics *dielectrics, const integer *shapes, mask *lanes,
+                            GlassRays *taken) {
+    for (int shape = first_shape(shapes, lanes); shape >= 0; shape = first_shape(shapes, lanes)) {
+        taken->neighbours = &dielectrics->neighbours[shape];
+        for (int v = 0; v < PACKET_VECTORS; v++) {
+            taken->lanes[v] = lanes[v] & (shapes[v] == integer_of(shape));
+            lanes[v] &= mask_not(taken->lanes[v]);
+        }
+        if (taken->neighbours->count > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* --- closest hits ----------------------------------------------------------------------------- */
+
+/** Intersects some rays of a packet with a shape. @param lanes Which, per vector. */
+static void shape_update_lanes(const Shape *shape, const Packet *packet, const mask *lanes,
+                               Hit *hits) {
+    if (shape_takes_packets(shape)) {
+        Packet part = packet_part(packet, lanes);
+        shape->class->extension->closest_hits(shape, &part, hits);
+        return;
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(lanes[v])) {
+            shape->class->is_hit(shape, &packet->rays[v], lanes[v], &hits[v]);
+        }
+    }
+}
+
+/** Finds the hits of rays inside of a shape. @param[in,out] open The rays whose closest hit is not
+ *  known: those whose hit is surely the closest are removed. */
+static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet, mask *open,
+                                    Hit *hits) {
+    const Neighbours *neighbours = rays->neighbours;
+    for (int i = 0; i < neighbours->count; i++) {
+        shape_update_lanes(neighbours->shapes[i], packet, rays->lanes, hits);
+    }
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        if (any(rays->lanes[v])) {
+            mask is_closest = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
+                              aabbs_contains(&neighbours->box, &packet->rays[v].origin) &
+                              aabbs_contains(&neighbours->box, &hits[v].point);
+            open[v] &= mask_not(is_closest);
+        }
+    }
+}
+
+void neighbours_closest_hits(const Dielectrics *dielectrics, const Packet *packet,
+                             const InteriorList *interior, Hit *hits) {
+    integer shapes[PACKET_VECTORS];
+    mask inside[PACKET_VECTORS], open[PACKET_VECTORS];
+    GlassRays rays;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        shapes[v] = interior_list_top(&interior[v]);
+        inside[v] = packet->active[v] & (shapes[v] >= integer_of(0));
+        hits[v] = hit_none(packet->limit[v]);
+    }
+    if (!glass_rays_take(dielectrics, shapes, inside, &rays)) {
+        shape_set_update_hits(dielectrics->all, packet, hits);
+        return;
+    }
+    memcpy(open, packet->active, sizeof open);
+    do {
+        glass_rays_closest_hits(&rays, packet, open, hits);
+    } while (glass_rays_take(dielectrics, shapes, inside, &rays));
+    if (any_of(open)) {
+        Packet part = packet_part(packet, open);
+        shape_set_update_hits(dielectrics->all, &part, hits);
+    }
+}
+
+/* --- offset segments -------------------------------------------------------------------------- */
+
+/** Visits the transparent neighbours for the segments of a shape. @param[in,out] open The segments
+ *  that all shapes are visited for: those of the shape are removed. */
+static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectrics,
+                             const Packet *segments, mask *open, ShapeVisitor visitor,
+                             void *found) {
+    const Neighbours *neighbours = rays->neighbours;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Ray *ray = &segments->rays[v];
+        if (!any(rays->lanes[v])) {
+            continue;
+        }
+        Vec3 end = vec3_add(ray->origin, ray->direction);
+        mask lanes = rays->lanes[v] & aabbs_contains(&neighbours->box, &ray->origin) &
+                     aabbs_contains(&neighbours->box, &end);
+        open[v] &= mask_not(lanes);
+        for (int i = 0; i < neighbours->count && any(lanes); i++) {
+            const Shape *shape = neighbours->shapes[i];
+            if (dielectrics->iors[shape->index + 1] > 0) {
+                visitor(shape, segments, v, lanes, found);
+            }
+        }
+    }
+}
+
+void neighbours_visit_segments(const Dielectrics *dielectrics, const Packet *segments,
+                               const Hit *hits, ShapeVisitor visitor, void *found) {
+    integer shapes[PACKET_VECTORS];
+    mask lanes[PACKET_VECTORS], open[PACKET_VECTORS];
+    GlassRays rays;
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        shapes[v] = hits[v].shape;
+        lanes[v] = open[v] = segments->active[v];
+    }
+    while (glass_rays_take(dielectrics, shapes, lanes, &rays)) {
+        glass_rays_visit(&rays, dielectrics, segments, open, visitor, found);
+    }
+    if (any_of(open)) {
+        Packet part = packet_part(segments, open);
+        shape_set_visit(&dielectrics->transparent, &part, visitor, found);
+    }
+}

@@ -68,9 +68,9 @@ INLINE mask aabbs_contains(const Aabbs *box, const Vec3 *point) {
 }
 
 /** @return Whether any lane is set. @param lanes Per vector of a packet. */
-INLINE bool any_of(const mask *lanes) {
-    mask sum = lanes[0];
-    for (int v = 1; v < PACKET_VECTORS; v++) {
+INLINE bool any_of(const mask *lanes, int vector_count) {
+    mask sum = mask_of(false);
+    for (int v = 0; v < vector_count; v++) {
         sum |= lanes[v];
     }
     return any(sum);
@@ -84,8 +84,8 @@ INLINE Packet packet_part(const Packet *packet, const mask *lanes) {
 }
 
 /** @return The first of some shapes; -1: there is none. @param lanes Which lanes, per vector. */
-INLINE int first_shape(const integer *shapes, const mask *lanes) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+INLINE int first_shape(const integer *shapes, const mask *lanes, int vector_count) {
+    for (int v = 0; v < vector_count; v++) {
         if (any(lanes[v])) {
             return integer_at(&shapes[v], mask_first(lanes[v]));
         }
@@ -101,10 +101,10 @@ INLINE int first_shape(const integer *shapes, const mask *lanes) {
  * @return Whether there are any.
  */
 static bool glass_rays_take(const Dielectrics *dielectrics, const integer *shapes, mask *lanes,
-                            GlassRays *taken) {
-    for (int shape = first_shape(shapes, lanes); shape >= 0; shape = first_shape(shapes, lanes)) {
+                            int vector_count, GlassRays *taken) {
+    for (int shape = first_shape(shapes, lanes, vector_count); shape >= 0; shape = first_shape(shapes, lanes, vector_count)) {
         taken->neighbours = &dielectrics->neighbours[shape];
-        for (int v = 0; v < PACKET_VECTORS; v++) {
+        for (int v = 0; v < vector_count; v++) {
             taken->lanes[v] = lanes[v] & (shapes[v] == integer_of(shape));
             lanes[v] &= mask_not(taken->lanes[v]);
         }
@@ -125,7 +125,7 @@ static void shape_update_lanes(const Shape *shape, const Packet *packet, const m
         shape->class->extension->closest_hits(shape, &part, hits);
         return;
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < packet->vector_count; v++) {
         if (any(lanes[v])) {
             shape->class->is_hit(shape, &packet->rays[v], lanes[v], &hits[v]);
         }
@@ -140,7 +140,7 @@ static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet,
     for (int i = 0; i < neighbours->count; i++) {
         shape_update_lanes(neighbours->shapes[i], packet, rays->lanes, hits);
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < packet->vector_count; v++) {
         if (any(rays->lanes[v])) {
             mask is_closest = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
                               aabbs_contains(&neighbours->box, &packet->rays[v].origin) &
@@ -155,20 +155,20 @@ void neighbours_closest_hits(const Dielectrics *dielectrics, const Packet *packe
     integer shapes[PACKET_VECTORS];
     mask inside[PACKET_VECTORS], open[PACKET_VECTORS];
     GlassRays rays;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < packet->vector_count; v++) {
         shapes[v] = interior_list_top(&interior[v]);
         inside[v] = packet->active[v] & (shapes[v] >= integer_of(0));
         hits[v] = hit_none(packet->limit[v]);
     }
-    if (!glass_rays_take(dielectrics, shapes, inside, &rays)) {
+    if (!glass_rays_take(dielectrics, shapes, inside, packet->vector_count, &rays)) {
         shape_set_update_hits(dielectrics->all, packet, hits);
         return;
     }
     memcpy(open, packet->active, sizeof open);
     do {
         glass_rays_closest_hits(&rays, packet, open, hits);
-    } while (glass_rays_take(dielectrics, shapes, inside, &rays));
-    if (any_of(open)) {
+    } while (glass_rays_take(dielectrics, shapes, inside, packet->vector_count, &rays));
+    if (any_of(open, packet->vector_count)) {
         Packet part = packet_part(packet, open);
         shape_set_update_hits(dielectrics->all, &part, hits);
     }
@@ -182,7 +182,7 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
                              const Packet *segments, mask *open, ShapeVisitor visitor,
                              void *found) {
     const Neighbours *neighbours = rays->neighbours;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < segments->vector_count; v++) {
         const Ray *ray = &segments->rays[v];
         if (!any(rays->lanes[v])) {
             continue;
@@ -205,14 +205,14 @@ void neighbours_visit_segments(const Dielectrics *dielectrics, const Packet *seg
     integer shapes[PACKET_VECTORS];
     mask lanes[PACKET_VECTORS], open[PACKET_VECTORS];
     GlassRays rays;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < segments->vector_count; v++) {
         shapes[v] = hits[v].shape;
         lanes[v] = open[v] = segments->active[v];
     }
-    while (glass_rays_take(dielectrics, shapes, lanes, &rays)) {
+    while (glass_rays_take(dielectrics, shapes, lanes, segments->vector_count, &rays)) {
         glass_rays_visit(&rays, dielectrics, segments, open, visitor, found);
     }
-    if (any_of(open)) {
+    if (any_of(open, segments->vector_count)) {
         Packet part = packet_part(segments, open);
         shape_set_visit(&dielectrics->transparent, &part, visitor, found);
     }

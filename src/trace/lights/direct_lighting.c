@@ -62,7 +62,7 @@ INLINE void light_sample_add_specular(const Light *light, const LightSample *sam
 INLINE void light_sample_add(const Light *light, const LightSample *sample, const mask *occluded,
                              bool has_specular, const SurfaceHit *surface,
                              DirectLighting *lighting) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < surface->packet->vector_count; v++) {
         mask unoccluded = sample->shadow_rays.active[v] & mask_not(occluded[v]);
         if (!any(unoccluded)) {
             continue;
@@ -79,12 +79,12 @@ INLINE void light_sample_add(const Light *light, const LightSample *sample, cons
 }
 
 /** Sets all light to 0. @param has_specular Whether highlights are added later. */
-INLINE void direct_lighting_clear(DirectLighting *lighting, bool has_specular) {
+INLINE void direct_lighting_clear(DirectLighting *lighting, int vector_count, bool has_specular) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < vector_count; v++) {
         lighting->diffuse[v] = black;
     }
-    for (int v = 0; has_specular && v < PACKET_VECTORS; v++) {
+    for (int v = 0; has_specular && v < vector_count; v++) {
         lighting->specular[v] = black;
     }
 }
@@ -110,7 +110,7 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
     if (recorders->ray_tree) {
         DirectLighting light_only;
-        direct_lighting_clear(&light_only, true);
+        direct_lighting_clear(&light_only, surface->packet->vector_count, true);
         light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
                          &light_only);
         ray_tree_record_shadow(shapes, surface, light_index, &lights[light_index], sample,
@@ -155,7 +155,7 @@ static const Shape *light_sample_left_shape(const ShapeSet *shapes, const Light 
     }
     const Shape *shape = light_sample_first_shape(shapes, surface, sample);
     bool all_leave = shape->class->form != FORM_ANY;
-    for (int v = 0; v < PACKET_VECTORS && all_leave; v++) {
+    for (int v = 0; v < sample->shadow_rays.vector_count && all_leave; v++) {
         const mask active = sample->shadow_rays.active[v];
         mask is_elsewhere = mask_not(surface->hits[v].shape == integer_of(shape->index));
         all_leave = !any(active) || (!any(active & is_elsewhere) &&
@@ -196,7 +196,7 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
         return;
     }
     if (is_clear) {
-        for (int v = 0; v < PACKET_VECTORS; v++) {
+        for (int v = 0; v < sample->shadow_rays.vector_count; v++) {
             occluded[v] = mask_of(false);
         }
     } else {
@@ -213,12 +213,14 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
                       const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
                       DirectLighting *lighting) {
     uint64_t rays = 0;
-    direct_lighting_clear(lighting, has_specular);
+    const int vector_count = surface->packet->vector_count;
+    direct_lighting_clear(lighting, vector_count, has_specular);
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;
         mask occluded[PACKET_VECTORS];
         sample.shadow_rays.wants_points = false;
         sample.shadow_rays.has_beam = false;
+        sample.shadow_rays.vector_count = vector_count;
         sample.target = NULL;
         lights[i].sample(&lights[i], i, offset, surface, &sample);
         if (lights[i].methods & METHOD_SHADOW_BEYOND) {

@@ -57,7 +57,7 @@ void emitters_closest_hits(const Emitters *emitters, const Packet *packet, Hit *
         const Emitter *emitter = &emitters->items[i];
         const LightClass *class = emitter->light->class;
         integer id = integer_of(FIRST_EMITTER_ID - emitter->light_index);
-        for (int v = 0; v < PACKET_VECTORS; v++) {
+        for (int v = 0; v < packet->vector_count; v++) {
             const Ray *ray = &packet->rays[v];
             mask active = packet->active[v];
             if (class->visible_from) {
@@ -73,8 +73,8 @@ int emitter_light_index(int shape) {
     return shape <= FIRST_EMITTER_ID ? FIRST_EMITTER_ID - shape : -1;
 }
 
-void emitters_shade(const Light *lights, const Hit *hits, Rgb *colors) {
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+void emitters_shade(const Light *lights, const Packet *packet, const Hit *hits, Rgb *colors) {
+    for (int v = 0; v < packet->vector_count; v++) {
         mask remaining = hits[v].shape <= integer_of(FIRST_EMITTER_ID);
         while (any(remaining)) {
             int shape = integer_lane(hits[v].shape, mask_first(remaining));

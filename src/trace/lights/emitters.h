@@ -56,6 +56,6 @@ void emitters_closest_hits(const Emitters *emitters, const Packet *packet, Hit *
 int emitter_light_index(int shape);
 
 /** Sets the colours of rays that met emitters. @param lights The lights of the scene. */
-void emitters_shade(const Light *lights, const Hit *hits, Rgb *colors);
+void emitters_shade(const Light *lights, const Packet *packet, const Hit *hits, Rgb *colors);
 
 #endif

@@ -44,7 +44,8 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     integer shape_before[PACKET_VECTORS];
     segments.wants_points = true;
     segments.has_beam = false;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    segments.vector_count = rays->vector_count;
+    for (int v = 0; v < rays->vector_count; v++) {
         const Hit *hit = &hits[v];
         Vec3 direction = rays->rays[v].direction, normal = hit->normal;
         mask hit_lanes = rays->active[v] & (hit->shape >= integer_of(0));
@@ -64,7 +65,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     if (packet_active_count(&segments) > 0) {
         dielectrics_cross_segments(dielectrics, &segments, hits, interior);
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < rays->vector_count; v++) {
         if (!any(is_transmitted[v])) {
             overridden[v] = mask_of(false);
             continue;
@@ -90,7 +91,7 @@ static void shadow_transmittance_step(const ShapeSet *shapes, const ShapeSet *gl
     if (surface->dielectrics->may_override) {
         find_overridden(offset, surface->dielectrics, rays, hits, interior, overridden);
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < rays->vector_count; v++) {
         mask hit_lanes = rays->active[v] & (hits[v].shape >= integer_of(0));
         rays->active[v] = hit_lanes;
         if (any(hit_lanes)) {
@@ -113,7 +114,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
                                                              : &surface->dielectrics->transparent;
     Packet rays;
     InteriorList interior[PACKET_VECTORS];
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < shadow->vector_count; v++) {
         transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
     }
     if (glass->count == 0) {
@@ -121,7 +122,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
     }
     rays = *shadow;
     rays.wants_points = true;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < rays.vector_count; v++) {
         rays.active[v] &= mask_not(occluded[v]);
         if (surface->dielectrics->may_override && any(rays.active[v])) {
             interior[v] = surface->interior[v];
@@ -130,7 +131,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
     for (int i = 0; i < MAX_SHADOW_SURFACES && packet_active_count(&rays) > 0; i++) {
         shadow_transmittance_step(shapes, glass, offset, surface, &rays, interior, transmittance);
     }
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < rays.vector_count; v++) {
         occluded[v] |= rays.active[v] | mask_not(rgb_max(transmittance[v]) > 0);
     }
 }

@@ -146,6 +146,7 @@ void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitt
     // A beam of one ray would serve nothing.
     packet->has_beam = LANES > 1 && !grid->selected;
     packet->only_shape = NULL;
+    packet->vector_count = PACKET_VECTORS;
     if (packet->has_beam) {
         packet->beam = camera_packet_beam(camera, grid, jitter, index);
     }

@@ -67,6 +67,8 @@ struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
     mask active[PACKET_VECTORS]; /**< The lanes that hold a ray. */
     real limit[PACKET_VECTORS];  /**< The largest distance that counts. */
+    int vector_count;            /**< Vectors that hold rays, the first ones: of others, nothing is
+                                      set, here and in what is found for the rays. */
     bool wants_points;           /**< Whether hit points and normals are needed, not only shapes and
                                       distances. */
     bool has_beam;               /**< Whether all rays are within #beam. */
@@ -130,10 +132,10 @@ INLINE void results_replace(const mask *lanes, const Rgb *new_colors, const Loss
     }
 }
 
-/** Sets all losses to 0. */
-INLINE void losses_clear(Losses *losses) {
+/** Sets the losses of some vectors to 0. */
+INLINE void losses_clear(Losses *losses, int vector_count) {
     const Rgb nothing = {real_of(0), real_of(0), real_of(0)};
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < vector_count; v++) {
         losses->dropped[v] = losses->guarded[v] = nothing;
         losses->rays[v] = real_of(0);
     }
@@ -142,7 +144,7 @@ INLINE void losses_clear(Losses *losses) {
 /** @return The number of active rays. */
 INLINE unsigned packet_active_count(const Packet *packet) {
     unsigned count = 0;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < packet->vector_count; v++) {
         count += mask_count(packet->active[v]);
     }
     return count;

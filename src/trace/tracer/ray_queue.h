@@ -115,15 +115,13 @@ static inline void packet_gather(const RayColumns *columns, int interior_count, 
     gathered->rays.interior = gathered->interior;
     packet->wants_points = true;
     packet->has_beam = false;
-    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
-        unsigned done = v * LANES, fill = count <= done ? 0 : count - done;
+    packet->vector_count = (int)((count + LANES - 1) / LANES);
+    for (int v = 0; v < packet->vector_count; v++) {
+        unsigned done = (unsigned)v * LANES, fill = count - done;
         packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
         packet->limit[v] = real_of(INFINITE);
-        gathered->rays.turns[v] = integer_of(0); // Counted on in unused vectors, too.
-        if (fill > 0) {
-            RayVector rays = ray_columns_load(columns, first + done, interior_count);
-            packet_set_vector(gathered, (int)v, &rays, packet->active[v]);
-        }
+        RayVector rays = ray_columns_load(columns, first + done, interior_count);
+        packet_set_vector(gathered, v, &rays, packet->active[v]);
     }
 }
 

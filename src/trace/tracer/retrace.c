@@ -164,7 +164,7 @@ static __attribute__((noinline)) void retrace(const Tracer *tracer, scalar cutof
     Losses new_losses;
     memcpy(rays->packet.active, lanes, sizeof rays->packet.active);
     if (!trace_pass(tracer, cutoff, rays, new_colors, &new_losses, counts)) {
-        losses_clear(&new_losses);
+        losses_clear(&new_losses, PACKET_VECTORS);
     }
     results_replace(lanes, new_colors, &new_losses, colors, losses);
 }
@@ -327,7 +327,7 @@ static void camera_packet_trace_recursively(const CameraGroup *group, scalar cut
     memcpy(active, rays->packet.active, sizeof active);
     memcpy(rays->packet.active, packet->lanes, sizeof active);
     if (!trace_pass(group->tracer, cutoff, rays, colors, &losses, group->counts)) {
-        losses_clear(&losses);
+        losses_clear(&losses, PACKET_VECTORS);
     }
     retrace_open_rays(group->tracer, cutoff, NULL, rays, colors, &losses, group->counts);
     results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);

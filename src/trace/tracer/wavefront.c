@@ -159,7 +159,7 @@ INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child 
     const int interior_count = wavefront->interior_count;
     RayQueue *kept = &wavefront->kept[child];
     unsigned count = 0;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < secondary->rays.packet.vector_count; v++) {
         unsigned lanes = mask_bits(secondary->rays.packet.active[v]);
         if (lanes == 0) {
             continue;
@@ -200,7 +200,7 @@ static void packet_set_context(const Wavefront *wavefront, const SampleContext *
         return;
     }
     packet->context.pixel_ids = gathered->pixel_ids;
-    for (int v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < packet->vector_count; v++) {
         for (int lane = 0; lane < LANES && any(packet->active[v]); lane++) {
             int sample = integer_at(&gathered->source.samples[v], lane);
             gathered->pixel_ids[v * LANES + lane] = wavefront->pixel_ids[sample];
@@ -211,11 +211,8 @@ static void packet_set_context(const Wavefront *wavefront, const SampleContext *
 /** Adds nodes for the rays of a packet. */
 static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, const Rgb *colors,
                       const Losses *losses) {
-    for (unsigned v = 0; v < PACKET_VECTORS; v++) {
+    for (int v = 0; v < gathered->rays.packet.vector_count; v++) {
         unsigned lanes = mask_bits(gathered->rays.packet.active[v]);
-        if (lanes == 0) {
-            return;
-        }
         unsigned first = path_nodes_add(nodes, gathered->weights[v], colors[v], losses->dropped[v],
                                         losses->guarded[v]);
         gathered->source.nodes[v] = first;
@@ -239,7 +236,7 @@ static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefron
     Losses losses;
     bool is_scattered = shade_and_scatter(context, &gathered->rays, &scattered, colors, &losses);
     if (!is_scattered) {
-        losses_clear(&losses);
+        losses_clear(&losses, gathered->rays.packet.vector_count);
     }
     nodes_add(wavefront->nodes, gathered, colors, &losses);
     if (is_scattered) {
@@ -389,7 +386,7 @@ static __attribute__((noinline)) void camera_packet_trace(Wavefront *wavefront, 
     if (packet_active_count(&rays->packet) > 0) {
         bool is_scattered = shade_and_scatter(context, rays, &scattered, colors, &losses);
         if (!is_scattered) {
-            losses_clear(&losses);
+            losses_clear(&losses, PACKET_VECTORS);
         }
         results_replace(packet->lanes, colors, &losses, packet->colors, &packet->losses);
         if (is_scattered) {

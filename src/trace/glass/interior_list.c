@@ -68,7 +68,7 @@ static bool shapes_may_touch(const Shape *opaque, const Shape *transparent) {
     if (!is_plane || !aabbs_is_bounded(&glass)) {
         return aabbs_overlap(&box, &glass);
     }
-    glass = aabbs_padded_by_largest(glass, AABB_ROUNDINGS);
+    glass = aabbs_padded_by_largest(glass);
     return shape_crosses_diagonal(opaque, &glass);
 }
 

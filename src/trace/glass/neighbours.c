@@ -10,29 +10,42 @@
 /** Most shapes of a scene whose neighbours are looked for: each pair of boxes is compared. */
 enum { NEIGHBOUR_SHAPES_MAXIMUM = 512 };
 
-/** By how many roundings of its largest coordinate a box is enlarged, each half an ulp: offset
- *  segments reach a few error bounds of a hit beyond the wall. */
+/** By how many roundings of its largest coordinate the box of a transparent shape is enlarged, each
+ *  half an ulp: offset segments reach a few error bounds of a hit beyond the wall. */
 #define NEIGHBOUR_ROUNDINGS 256
 
 /* --- the neighbours of a shape ---------------------------------------------------------------- */
 
+/** @return The largest coordinate of a box. */
+static scalar aabbs_largest(const Aabbs *box) {
+    scalar largest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        largest = -box->low[axis] > largest ? -box->low[axis] : largest;
+        largest = box->high[axis] > largest ? box->high[axis] : largest;
+    }
+    return largest;
+}
+
 /** @return The neighbours of a transparent shape. */
 static Neighbours neighbours_of(const Shape *glass, const ShapeSet *all) {
-    Neighbours neighbours = {
-        .box = aabbs_padded_by_largest(glass->class->bounds(glass), NEIGHBOUR_ROUNDINGS)};
-    int count = 0;
-    for (size_t i = 0; count <= NEIGHBOURS_MAXIMUM && i < all->count; i++) {
+    Neighbours neighbours = {.glass = glass, .box = glass->class->bounds(glass)};
+    neighbours.slack = NEIGHBOUR_ROUNDINGS * AABB_ROUNDOFF * aabbs_largest(&neighbours.box);
+    for (int axis = 0; axis < 3; axis++) {
+        neighbours.box.low[axis] -= neighbours.slack;
+        neighbours.box.high[axis] += neighbours.slack;
+    }
+    for (size_t i = 0; neighbours.glass && i < all->count; i++) {
         const Shape *shape = all->shapes[i];
-        Aabbs box = shape->class->bounds(shape);
-        if (!aabbs_overlap(&neighbours.box, &box) && !shape_exceeds_box(shape)) {
+        Aabbs box = shape_exceeds_box(shape) ? aabbs_infinite() : shape->class->bounds(shape);
+        if (shape == glass || !aabbs_overlap(&neighbours.box, &box)) {
             continue;
         }
-        if (count < NEIGHBOURS_MAXIMUM) {
-            neighbours.shapes[count] = shape;
+        if (neighbours.count == NEIGHBOURS_MAXIMUM) {
+            neighbours.glass = NULL;
+            break;
         }
-        count++;
+        neighbours.others[neighbours.count++] = (Neighbour){shape, box};
     }
-    neighbours.count = count <= NEIGHBOURS_MAXIMUM ? count : 0;
     return neighbours;
 }
 
@@ -108,7 +121,7 @@ static bool glass_rays_take(const Dielectrics *dielectrics, const integer *shape
             taken->lanes[v] = lanes[v] & (shapes[v] == integer_of(shape));
             lanes[v] &= mask_not(taken->lanes[v]);
         }
-        if (taken->neighbours->count > 0) {
+        if (taken->neighbours->glass) {
             return true;
         }
     }
@@ -132,20 +145,54 @@ static void shape_update_lanes(const Shape *shape, const Packet *packet, const m
     }
 }
 
-/** Finds the hits of rays inside of a shape. @param[in,out] open The rays whose closest hit is not
- *  known: those whose hit is surely the closest are removed. */
+/** The boxes around parts of rays. */
+typedef struct RayParts {
+    Vec3 low[PACKET_VECTORS];  /**< The lowest corners. */
+    Vec3 high[PACKET_VECTORS]; /**< The highest corners. */
+} RayParts;
+
+/** Sets the boxes around parts of the rays of a vector. @param slack By how much they are enlarged.
+ */
+INLINE void ray_parts_set(RayParts *parts, int v, const Vec3 *from, const Vec3 *to, scalar slack) {
+    const Vec3 around = {real_of(slack), real_of(slack), real_of(slack)};
+    parts->low[v] = vec3_subtract(vec3_min(*from, *to), around);
+    parts->high[v] = vec3_add(vec3_max(*from, *to), around);
+}
+
+/** @return The lanes in which a part of a ray may meet a box. */
+INLINE mask ray_parts_meet(const RayParts *parts, int v, const Aabbs *box) {
+    mask meets = mask_of(true);
+    for (int axis = 0; axis < 3; axis++) {
+        meets &= (vec3_component(&parts->low[v], axis) <= real_of(box->high[axis])) &
+                 (vec3_component(&parts->high[v], axis) >= real_of(box->low[axis]));
+    }
+    return meets;
+}
+
+/** Finds the hits of rays inside of a shape: first with its wall, then with what may be before
+ *  that. @param[in,out] open The rays whose closest hit is not known: those whose hit is surely the
+ *  closest are removed. */
 static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet, mask *open,
                                     Hit *hits) {
     const Neighbours *neighbours = rays->neighbours;
-    for (int i = 0; i < neighbours->count; i++) {
-        shape_update_lanes(neighbours->shapes[i], packet, rays->lanes, hits);
-    }
+    mask closed[PACKET_VECTORS] = {0};
+    RayParts parts;
+    shape_update_lanes(neighbours->glass, packet, rays->lanes, hits);
     for (int v = 0; v < packet->vector_count; v++) {
-        if (any(rays->lanes[v])) {
-            mask is_closest = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
-                              aabbs_contains(&neighbours->box, &packet->rays[v].origin) &
-                              aabbs_contains(&neighbours->box, &hits[v].point);
-            open[v] &= mask_not(is_closest);
+        const Vec3 *origin = &packet->rays[v].origin, *end = &hits[v].point;
+        closed[v] = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
+                    aabbs_contains(&neighbours->box, origin) &
+                    aabbs_contains(&neighbours->box, end);
+        ray_parts_set(&parts, v, origin, end, neighbours->slack);
+        open[v] &= mask_not(closed[v]);
+    }
+    for (int i = 0; i < neighbours->count; i++) {
+        mask near[PACKET_VECTORS];
+        for (int v = 0; v < packet->vector_count; v++) {
+            near[v] = closed[v] & ray_parts_meet(&parts, v, &neighbours->others[i].box);
+        }
+        if (any_of(near, packet->vector_count)) {
+            shape_update_lanes(neighbours->others[i].shape, packet, near, hits);
         }
     }
 }
@@ -176,12 +223,13 @@ void neighbours_closest_hits(const Dielectrics *dielectrics, const Packet *packe
 
 /* --- offset segments -------------------------------------------------------------------------- */
 
-/** Visits the transparent neighbours for the segments of a shape. @param[in,out] open The segments
- *  that all shapes are visited for: those of the shape are removed. */
+/** Visits a shape and its transparent neighbours for the segments across its wall. @param[in,out]
+ *  open The segments that all shapes are visited for: those of the shape are removed. */
 static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectrics,
                              const Packet *segments, mask *open, ShapeVisitor visitor,
                              void *found) {
     const Neighbours *neighbours = rays->neighbours;
+    RayParts parts;
     for (int v = 0; v < segments->vector_count; v++) {
         const Ray *ray = &segments->rays[v];
         if (!any(rays->lanes[v])) {
@@ -190,11 +238,16 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
         Vec3 end = vec3_add(ray->origin, ray->direction);
         mask lanes = rays->lanes[v] & aabbs_contains(&neighbours->box, &ray->origin) &
                      aabbs_contains(&neighbours->box, &end);
+        ray_parts_set(&parts, v, &ray->origin, &end, neighbours->slack);
         open[v] &= mask_not(lanes);
-        for (int i = 0; i < neighbours->count && any(lanes); i++) {
-            const Shape *shape = neighbours->shapes[i];
-            if (dielectrics->iors[shape->index + 1] > 0) {
-                visitor(shape, segments, v, lanes, found);
+        visitor(neighbours->glass, segments, v, lanes, found);
+        for (int i = 0; i < neighbours->count; i++) {
+            const Shape *other = neighbours->others[i].shape;
+            if (dielectrics->iors[other->index + 1] > 0) {
+                mask near = lanes & ray_parts_meet(&parts, v, &neighbours->others[i].box);
+                if (any(near)) {
+                    visitor(other, segments, v, near, found);
+                }
             }
         }
     }

@@ -14,16 +14,22 @@
 #include "trace/glass/interior_list.h"
 
 /** Most neighbours of a shape: to test more takes as long as the boxes of all shapes. */
-enum { NEIGHBOURS_MAXIMUM = 8 };
+enum { NEIGHBOURS_MAXIMUM = 16 };
+
+/** A shape that rays can meet in the bounding box of another. */
+typedef struct Neighbour {
+    const Shape *shape; /**< The shape. */
+    Aabbs box;          /**< Its bounding box; infinite if it exceeds that. */
+} Neighbour;
 
 /** What rays can meet in the bounding box of a transparent shape. */
 struct Neighbours {
-    Aabbs box;                               /**< The bounding box, with room for rounding errors
-                                                  and ray offsets. */
-    const Shape *shapes[NEIGHBOURS_MAXIMUM]; /**< The shapes whose boxes overlap it, and those that
-                                                  exceed their own; itself among them. */
-    int count;                               /**< Number of #shapes; 0: they are too many, or the
-                                                  shape is opaque. */
+    const Shape *glass; /**< The transparent shape. NULL: the shape is opaque, or has too many
+                             neighbours. */
+    Aabbs box;          /**< Its bounding box, with #slack on all sides. */
+    scalar slack;       /**< Room for rounding errors and ray offsets, scene units. */
+    Neighbour others[NEIGHBOURS_MAXIMUM]; /**< The other shapes. */
+    int count;                            /**< Number of #others. */
 };
 
 /** Finds the neighbours of all transparent shapes. @return Whether memory sufficed. */

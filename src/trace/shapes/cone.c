@@ -248,7 +248,7 @@ static Aabbs cone_bounds(const Shape *self) {
         .radius = (double)cone->base_radius,
         .top_radius = (double)cone->top_radius};
     Aabbd box = cone_bounds_of(&cone_in_double, axis);
-    return aabbs_padded_by_largest(aabbs_from_corners(box.low, box.high), AABB_ROUNDINGS);
+    return aabbs_padded_by_largest(aabbs_from_corners(box.low, box.high));
 }
 
 /** @return Angle and height on the wall; on an end, coordinates as on a disk. See

@@ -312,9 +312,9 @@ static inline Aabbs aabbs_padded(Aabbs box) {
 /** @return A box around two corners, by #aabbs_padded. */
 Aabbs aabbs_from_corners(Vec3d low, Vec3d high);
 
-/** @return A box enlarged by roundings of its largest coordinate: for shapes whose rounding errors
- *  along one axis come from the others. @param roundings Their number, mostly #AABB_ROUNDINGS. */
-Aabbs aabbs_padded_by_largest(Aabbs box, int roundings);
+/** @return A box enlarged by the roundings of its largest coordinate: for shapes whose rounding
+ *  errors along one axis come from the others. */
+Aabbs aabbs_padded_by_largest(Aabbs box);
 
 /** @return The box of all space. */
 Aabbs aabbs_infinite(void);

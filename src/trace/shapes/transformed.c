@@ -139,8 +139,7 @@ static Aabbs transformed_compute_bounds(const TransformedShape *transformed) {
     }
     Vec3d move = vec3d_of(transformed->translation);
     return aabbs_padded_by_largest(aabbs_from_corners(vec3d_add(vec3d_of(corners[0]), move),
-                                                      vec3d_add(vec3d_of(corners[1]), move)),
-                                   AABB_ROUNDINGS);
+                                                      vec3d_add(vec3d_of(corners[1]), move)));
 }
 
 /** See #ShapeClass.init. */

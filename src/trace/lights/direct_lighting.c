@@ -175,6 +175,13 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
     return !shape_set_may_meet(shapes, intervals, excluded);
 }
 
+/** Sets the transmittance of all shadow rays to 1. */
+INLINE void light_sample_set_clear(LightSample *sample) {
+    for (int v = 0; v < sample->shadow_rays.vector_count; v++) {
+        sample->transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
+    }
+}
+
 /**
  * Finds the points that a light does not reach.
  * @param[in,out] sample  What it would give; the transmittance of transparent shapes is added.
@@ -183,12 +190,16 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
 static void light_sample_trace(const ShapeSet *shapes, const Light *light, const RayOffset *offset,
                                const SurfaceHit *surface, LightSample *sample, mask *occluded) {
     const ShapeSet *opaque = surface->interior ? &surface->dielectrics->opaque : shapes;
+    const ShapeSet *glass =
+        surface->interior ? shadow_transmittance_shapes(surface->dielectrics, offset) : NULL;
     const Shape *excluded = light_sample_left_shape(shapes, light, offset, surface, sample);
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
     bool is_clear = sample->target && light_sample_is_clear(opaque, excluded, sample, &intervals);
+    bool may_meet_glass = glass && glass->count > 0 &&
+                          (!has_intervals || shape_set_may_meet(glass, &intervals, excluded));
     if (sample->target &&
-        (!is_clear || surface->interior || light->methods || surface->packet->context.recorders)) {
+        (!is_clear || may_meet_glass || light->methods || surface->packet->context.recorders)) {
         light_sample_aim(sample);
     }
     if (light->methods & METHOD_SHADOW_BY_SHAPE) {
@@ -204,7 +215,10 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
                            excluded, occluded);
     }
     if (surface->interior) {
-        shadow_transmittance_find(shapes, offset, surface, &sample->shadow_rays, occluded,
+        light_sample_set_clear(sample);
+    }
+    if (may_meet_glass) {
+        shadow_transmittance_find(shapes, glass, offset, surface, &sample->shadow_rays, occluded,
                                   sample->transmittance);
     }
 }

@@ -106,21 +106,17 @@ static void shadow_transmittance_step(const ShapeSet *shapes, const ShapeSet *gl
     }
 }
 
-void shadow_transmittance_find(const ShapeSet *shapes, const RayOffset *offset,
-                               const SurfaceHit *surface, const Packet *shadow, mask *occluded,
-                               Rgb *transmittance) {
+const ShapeSet *shadow_transmittance_shapes(const Dielectrics *dielectrics,
+                                            const RayOffset *offset) {
     // On a clear surface, only a ray that does not leave it loses its light.
-    const ShapeSet *glass = offset->strategy == OFFSET_BOUND ? &surface->dielectrics->tinted
-                                                             : &surface->dielectrics->transparent;
-    Packet rays;
+    return offset->strategy == OFFSET_BOUND ? &dielectrics->tinted : &dielectrics->transparent;
+}
+
+void shadow_transmittance_find(const ShapeSet *shapes, const ShapeSet *glass,
+                               const RayOffset *offset, const SurfaceHit *surface,
+                               const Packet *shadow, mask *occluded, Rgb *transmittance) {
+    Packet rays = *shadow;
     InteriorList interior[PACKET_VECTORS];
-    for (int v = 0; v < shadow->vector_count; v++) {
-        transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
-    }
-    if (glass->count == 0) {
-        return;
-    }
-    rays = *shadow;
     rays.wants_points = true;
     for (int v = 0; v < rays.vector_count; v++) {
         rays.active[v] &= mask_not(occluded[v]);

@@ -325,6 +325,76 @@ static void test_equivalent_scenes(void **state) {
     for_every_engine(check_equivalent_scenes);
 }
 
+/* --- neighbours --------------------------------------------------------------------------------
+ */
+
+/** Glass with all kinds of things in it, at its wall and beside it: bubbles, opaque balls, a rod
+ *  that sticks out, a floor that touches, another glass that overlaps. */
+static void build_crowd(Scene *scene, Placement placement) {
+    const SceneMaterial glass = glass_material(1.5);
+    add_floor(scene, placement);
+    use_material(scene, glass);
+    add_placed_sphere(scene, placement, (Vec3d){0, 1.0 / 3, 0}, 2.0 / 3);
+    add_placed_sphere(scene, placement, (Vec3d){0.9, 0.4, 0.3}, 0.5);
+    add_placed_box(scene, placement, (Vec3d){-1.5, -0.3, -0.5}, (Vec3d){-0.7, 0.7, 0.8});
+    use_material(scene, glass_material(1));
+    add_placed_sphere(scene, placement, (Vec3d){0.1, 0.5, 0.2}, 0.25);
+    use_material(scene, emissive_material((Rgbd){0.8, 0.1, 0.3}));
+    for (int i = 0; i < 5; i++) {
+        Vec3d at = {-1.2 + 0.45 * i, 0.2 + 0.15 * (i % 3), 0.3 - 0.2 * (i % 2)};
+        add_placed_sphere(scene, placement, at, 0.08 + 0.02 * i);
+    }
+    use_material(scene, glass);
+    add_turned_box(scene, placement, (Vec3d){-0.3, -0.2, -0.9}, (Vec3d){0.4, 0.1, 0.9});
+}
+
+/** The same, and so many specks out of sight that no neighbours are looked for. */
+static void build_crowd_of_many(Scene *scene, Placement placement) {
+    build_crowd(scene, placement);
+    for (int i = 0; i < 600; i++) {
+        add_placed_sphere(scene, placement, (Vec3d){-3 + 0.01 * i, 5, 4}, 1e-4);
+    }
+}
+
+/** @return The numbers that differ in two pictures, bit for bit. */
+static int different_numbers(const double *a, const double *b) {
+    int count = 0;
+    for (int i = 0; i < NUMBERS; i++) {
+        count += memcmp(&a[i], &b[i], sizeof a[i]) != 0;
+    }
+    return count;
+}
+
+/** Rays in glass that are tested against its neighbours alone hit what they hit among all shapes,
+ *  bit for bit. */
+static void check_neighbours(const Engine *engine) {
+    static double rgb[2][NUMBERS];
+    const Builder both[] = {build_crowd, build_crowd_of_many};
+    for (int w = 0; w < PLACEMENT_COUNT && engine->mantissa_bits <= 64; w++) {
+        RayCounts counts[2];
+        for (int i = 0; i < 2; i++) {
+            Scene *scene = glass_test_scene(placements[w], both[i]);
+            counts[i] =
+                trace_picture(engine, scene, (TraceLimits){12, 0x1p-12}, SIZE, SIZE, rgb[i]);
+            scene_destroy(scene);
+        }
+        assert_at_most(different_numbers(rgb[0], rgb[1]), 0,
+                       "neighbours in %s, scale %g, offset %g", engine->name, placements[w].scale,
+                       placements[w].offset);
+        assert_true(counts[0].refraction > SIZE * SIZE);
+        assert_true(counts[0].refraction == counts[1].refraction);
+    }
+}
+
+/** @param state Not used. */
+static void test_neighbours(void **state) {
+    (void)state;
+    for_every_engine(check_neighbours);
+}
+
+/* --- exactness ---------------------------------------------------------------------------------
+ */
+
 /** Index 1 does not change directions, bit for bit. The sky shows the direction of a ray. */
 static void check_air_is_exact(const Engine *engine) {
     static double rgb[2][NUMBERS];
@@ -596,7 +666,7 @@ int main(void) {
         cmocka_unit_test(test_fresnel),        cmocka_unit_test(test_equivalent_scenes),
         cmocka_unit_test(test_no_air_between), cmocka_unit_test(test_camera_inside),
         cmocka_unit_test(test_back_of_a_pane), cmocka_unit_test(test_onion),
-        cmocka_unit_test(test_air_is_exact),   cmocka_unit_test(test_filtered_light),
-        cmocka_unit_test(test_deepest)};
+        cmocka_unit_test(test_neighbours),     cmocka_unit_test(test_air_is_exact),
+        cmocka_unit_test(test_filtered_light), cmocka_unit_test(test_deepest)};
     return cmocka_run_group_tests_name("media", tests, NULL, NULL);
 }

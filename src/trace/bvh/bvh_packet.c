@@ -153,7 +153,7 @@ void bvh_traverse(const Bvh *bvh, const Packet *packet, const PacketIntervals *i
     traversal.packet = packet;
     traversal.limits = limits;
     traversal.stack[0] = (PacketStackEntry){0};
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         traversal.stack[0].lanes.bits[v] = (uint16_t)mask_bits(packet->active[v]);
     }
     traversal.intervals = *intervals;

@@ -97,7 +97,7 @@ static void shape_closest_hits(const Shape *shape, scalar near, const Packet *pa
             return;
         }
     }
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask pending = packet->active[v] & (hits[v].distance >= real_of(near));
         if (LANES == 1 || any(pending)) {
             class->is_hit(shape, &packet->rays[v], packet->active[v], &hits[v]);
@@ -112,7 +112,7 @@ static void shape_occluded(const Shape *shape, const Packet *packet, mask *occlu
         shape->class->extension->occluded(shape, packet, occluded);
         return;
     }
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask pending = packet->active[v] & mask_not(occluded[v]);
         if (any(pending)) {
             occluded[v] |=
@@ -169,7 +169,7 @@ static __attribute__((noinline)) void set_bvh_closest_hits(const ShapeSet *set,
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_closest_hits};
     real limits[PACKET_VECTORS];
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = hits[v].distance;
     }
     bvh_traverse(&set->bvh, packet, intervals, limits, &callback, hits);
@@ -184,7 +184,7 @@ static __attribute__((noinline)) void set_bvh_occluded(const ShapeSet *set, cons
     const BvhIntersector callback = {
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_occluded};
     real limits[PACKET_VECTORS];
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
     }
     OcclusionQuery query = {excluded, occluded};
@@ -215,7 +215,7 @@ static void set_bvh_visit(const ShapeSet *set, const Packet *packet,
         .items = set, .prefers_vectors = true, .intersect_leaf = leaf_visit};
     real limits[PACKET_VECTORS];
     if (set->bvh.nodes) {
-        for (int v = 0; v < packet->vector_count; v++) {
+        for (int v = 0; v < packet_vector_count(packet); v++) {
             limits[v] = packet->limit[v];
         }
         bvh_traverse(&set->bvh, packet, intervals, limits, &callback, visit);
@@ -338,13 +338,6 @@ void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
     }
 }
 
-void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
-    for (int v = 0; v < packet->vector_count; v++) {
-        hits[v] = hit_none(packet->limit[v]);
-    }
-    shape_set_update_hits(set, packet, hits);
-}
-
 void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     if (LANES == 1) {
         single_ray_closest_hit(set, packet, hits);
@@ -377,7 +370,7 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);
     // Such a shape may be hit outside its box.
     intervals.has_region = intervals.has_region && !set->may_exceed_box;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         occluded[v] = mask_of(false);
     }
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
@@ -397,7 +390,7 @@ void shape_set_visit(const ShapeSet *set, const Packet *packet, ShapeVisitor vis
         unsigned remaining = linear_candidates(set, &intervals, pack).remaining;
         for (; remaining; remaining &= remaining - 1) {
             const Shape *shape = linear_shape(set, pack, __builtin_ctz(remaining));
-            for (int v = 0; v < packet->vector_count; v++) {
+            for (int v = 0; v < packet_vector_count(packet); v++) {
                 if (any(packet->active[v])) {
                     visitor(shape, packet, v, packet->active[v], found);
                 }

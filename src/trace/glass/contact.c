@@ -46,8 +46,8 @@ void contacts_resolve(const RayOffset *offset, SurfaceHit *surface) {
     }
     segments.wants_points = true;
     segments.has_beam = false;
-    segments.vector_count = surface->packet->vector_count;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    segments.vector_count = packet_vector_count(surface->packet);
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         Hit *hit = &surface->hits[v];
         integer shape = integer_select(surface->is_hit[v], hit->shape, integer_of(-1));
         real scale = real_gather(dielectrics->offset_scales, shape + 1);
@@ -64,7 +64,7 @@ void contacts_resolve(const RayOffset *offset, SurfaceHit *surface) {
         return;
     }
     shape_set_visit(&dielectrics->touching, &segments, segment_hit_shape, opaque);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         if (any(segments.active[v])) {
             mask lanes = segments.active[v] & (opaque[v].shape >= integer_of(0));
             if (any(lanes)) {

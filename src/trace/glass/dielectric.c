@@ -19,8 +19,8 @@ static unsigned dielectric_hit_enter(const RayOffset *offset, const SurfaceHit *
     unsigned count = 0;
     entry->segments.wants_points = true;
     entry->segments.has_beam = false;
-    entry->segments.vector_count = surface->packet->vector_count;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    entry->segments.vector_count = packet_vector_count(surface->packet);
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
         mask is_transmitted = surface->is_hit[v] & (rgb_max(material.transmittance) > 0);
@@ -87,7 +87,7 @@ unsigned dielectric_hit_find(const RayOffset *offset, SurfaceHit *surface,
         dielectrics_cross_segments(surface->dielectrics, &entry.segments, surface->hits,
                                    interior_behind);
     }
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         if (any(dielectric->is_transmitted[v])) {
             total += mask_count(
                 dielectric_hit_refract(offset, surface, v, entry.shape_before[v], dielectric));

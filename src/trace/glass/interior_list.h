@@ -36,9 +36,9 @@ typedef struct Dielectrics {
                                light; all, where one overrides another. */
     ShapeSet touching;    /**< Those of them that may touch a transparent shape. */
     const ShapeSet *all;  /**< All shapes; not owned. */
-    scalar *offset_scales; /**< Factors of the ray offset: 1 for air, then of each shape 0 if it is
-                                transparent, #TOUCHING_OFFSET_SCALE if it is in #touching, or 1;
-                                owned. NULL: no shape touches a transparent one. */
+    scalar *offset_scales;  /**< Factors of the ray offset: 1 for air, then of each shape 0 if it is
+                                 transparent, #TOUCHING_OFFSET_SCALE if it is in #touching, or 1;
+                                 owned. NULL: no shape touches a transparent one. */
     Neighbours *neighbours; /**< What rays inside of each shape meet; owned. */
     InteriorList camera_interior; /**< The shapes that the camera is inside of. */
     bool may_override; /**< Whether a later shape may override a tinted surface, for shadow rays. */

@@ -115,7 +115,8 @@ INLINE int first_shape(const integer *shapes, const mask *lanes, int vector_coun
  */
 static bool glass_rays_take(const Dielectrics *dielectrics, const integer *shapes, mask *lanes,
                             int vector_count, GlassRays *taken) {
-    for (int shape = first_shape(shapes, lanes, vector_count); shape >= 0; shape = first_shape(shapes, lanes, vector_count)) {
+    for (int shape = first_shape(shapes, lanes, vector_count); shape >= 0;
+         shape = first_shape(shapes, lanes, vector_count)) {
         taken->neighbours = &dielectrics->neighbours[shape];
         for (int v = 0; v < vector_count; v++) {
             taken->lanes[v] = lanes[v] & (shapes[v] == integer_of(shape));
@@ -138,7 +139,7 @@ static void shape_update_lanes(const Shape *shape, const Packet *packet, const m
         shape->class->extension->closest_hits(shape, &part, hits);
         return;
     }
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         if (any(lanes[v])) {
             shape->class->is_hit(shape, &packet->rays[v], lanes[v], &hits[v]);
         }
@@ -178,7 +179,7 @@ static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet,
     mask closed[PACKET_VECTORS] = {0};
     RayParts parts;
     shape_update_lanes(neighbours->glass, packet, rays->lanes, hits);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         const Vec3 *origin = &packet->rays[v].origin, *end = &hits[v].point;
         closed[v] = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
                     aabbs_contains(&neighbours->box, origin) &
@@ -188,10 +189,10 @@ static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet,
     }
     for (int i = 0; i < neighbours->count; i++) {
         mask near[PACKET_VECTORS];
-        for (int v = 0; v < packet->vector_count; v++) {
+        for (int v = 0; v < packet_vector_count(packet); v++) {
             near[v] = closed[v] & ray_parts_meet(&parts, v, &neighbours->others[i].box);
         }
-        if (any_of(near, packet->vector_count)) {
+        if (any_of(near, packet_vector_count(packet))) {
             shape_update_lanes(neighbours->others[i].shape, packet, near, hits);
         }
     }
@@ -202,20 +203,20 @@ void neighbours_closest_hits(const Dielectrics *dielectrics, const Packet *packe
     integer shapes[PACKET_VECTORS];
     mask inside[PACKET_VECTORS], open[PACKET_VECTORS];
     GlassRays rays;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         shapes[v] = interior_list_top(&interior[v]);
         inside[v] = packet->active[v] & (shapes[v] >= integer_of(0));
         hits[v] = hit_none(packet->limit[v]);
     }
-    if (!glass_rays_take(dielectrics, shapes, inside, packet->vector_count, &rays)) {
+    if (!glass_rays_take(dielectrics, shapes, inside, packet_vector_count(packet), &rays)) {
         shape_set_update_hits(dielectrics->all, packet, hits);
         return;
     }
     memcpy(open, packet->active, sizeof open);
     do {
         glass_rays_closest_hits(&rays, packet, open, hits);
-    } while (glass_rays_take(dielectrics, shapes, inside, packet->vector_count, &rays));
-    if (any_of(open, packet->vector_count)) {
+    } while (glass_rays_take(dielectrics, shapes, inside, packet_vector_count(packet), &rays));
+    if (any_of(open, packet_vector_count(packet))) {
         Packet part = packet_part(packet, open);
         shape_set_update_hits(dielectrics->all, &part, hits);
     }
@@ -230,7 +231,7 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
                              void *found) {
     const Neighbours *neighbours = rays->neighbours;
     RayParts parts;
-    for (int v = 0; v < segments->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(segments); v++) {
         const Ray *ray = &segments->rays[v];
         if (!any(rays->lanes[v])) {
             continue;
@@ -258,14 +259,14 @@ void neighbours_visit_segments(const Dielectrics *dielectrics, const Packet *seg
     integer shapes[PACKET_VECTORS];
     mask lanes[PACKET_VECTORS], open[PACKET_VECTORS];
     GlassRays rays;
-    for (int v = 0; v < segments->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(segments); v++) {
         shapes[v] = hits[v].shape;
         lanes[v] = open[v] = segments->active[v];
     }
-    while (glass_rays_take(dielectrics, shapes, lanes, segments->vector_count, &rays)) {
+    while (glass_rays_take(dielectrics, shapes, lanes, packet_vector_count(segments), &rays)) {
         glass_rays_visit(&rays, dielectrics, segments, open, visitor, found);
     }
-    if (any_of(open, segments->vector_count)) {
+    if (any_of(open, packet_vector_count(segments))) {
         Packet part = packet_part(segments, open);
         shape_set_visit(&dielectrics->transparent, &part, visitor, found);
     }

@@ -75,7 +75,7 @@ static void cylinder_light_sample_center(const Light *light, size_t light_index,
     const CylinderLight *cylinder = light_own(light);
     const scalar half = (scalar)0.5f;
     light_sample_center(&cylinder->center, offset, surface, sample);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         const Hit *hit = &surface->hits[v];
         CylinderView view = cylinder_view_of(cylinder, hit->point);
         real distance = real_sqrt(sample->distance_squared[v]),
@@ -125,7 +125,7 @@ static void cylinder_light_sample(const Light *light, size_t light_index, const 
     const CylinderLight *cylinder = light_own(light);
     real radius = cylinder->radius, length = cylinder->length;
     const scalar half = (scalar)0.5f;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         const Hit *hit = &surface->hits[v];
         sample->shadow_rays.active[v] = surface->needs_light[v];
         if (!any(surface->needs_light[v])) {

@@ -62,7 +62,7 @@ INLINE void light_sample_add_specular(const Light *light, const LightSample *sam
 INLINE void light_sample_add(const Light *light, const LightSample *sample, const mask *occluded,
                              bool has_specular, const SurfaceHit *surface,
                              DirectLighting *lighting) {
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         mask unoccluded = sample->shadow_rays.active[v] & mask_not(occluded[v]);
         if (!any(unoccluded)) {
             continue;
@@ -110,7 +110,7 @@ static __attribute__((noinline)) void light_sample_record(const ShapeSet *shapes
     }
     if (recorders->ray_tree) {
         DirectLighting light_only;
-        direct_lighting_clear(&light_only, surface->packet->vector_count, true);
+        direct_lighting_clear(&light_only, packet_vector_count(surface->packet), true);
         light_sample_add(&lights[light_index], sample, occluded, has_specular, surface,
                          &light_only);
         ray_tree_record_shadow(shapes, surface, light_index, &lights[light_index], sample,
@@ -155,7 +155,7 @@ static const Shape *light_sample_left_shape(const ShapeSet *shapes, const Light 
     }
     const Shape *shape = light_sample_first_shape(shapes, surface, sample);
     bool all_leave = shape->class->form != FORM_ANY;
-    for (int v = 0; v < sample->shadow_rays.vector_count && all_leave; v++) {
+    for (int v = 0; v < packet_vector_count(&sample->shadow_rays) && all_leave; v++) {
         const mask active = sample->shadow_rays.active[v];
         mask is_elsewhere = mask_not(surface->hits[v].shape == integer_of(shape->index));
         all_leave = !any(active) || (!any(active & is_elsewhere) &&
@@ -175,9 +175,17 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
     return !shape_set_may_meet(shapes, intervals, excluded);
 }
 
-/** Sets the transmittance of all shadow rays to 1. */
-INLINE void light_sample_set_clear(LightSample *sample) {
-    for (int v = 0; v < sample->shadow_rays.vector_count; v++) {
+/** @return Whether transparent shapes may take light from shadow rays. Not inlined: scenes without
+ *  them need none of it. @param intervals Those of the rays; NULL: not known. */
+static __attribute__((noinline)) bool light_sample_may_meet_glass(const ShapeSet *glass,
+                                                                  const PacketIntervals *intervals,
+                                                                  const Shape *excluded) {
+    return glass->count > 0 && (!intervals || shape_set_may_meet(glass, intervals, excluded));
+}
+
+/** Sets the transmittance of all shadow rays to 1. Not inlined, either. */
+static __attribute__((noinline)) void light_sample_set_clear(LightSample *sample) {
+    for (int v = 0; v < packet_vector_count(&sample->shadow_rays); v++) {
         sample->transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
     }
 }
@@ -196,8 +204,8 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
     bool is_clear = sample->target && light_sample_is_clear(opaque, excluded, sample, &intervals);
-    bool may_meet_glass = glass && glass->count > 0 &&
-                          (!has_intervals || shape_set_may_meet(glass, &intervals, excluded));
+    bool may_meet_glass =
+        glass && light_sample_may_meet_glass(glass, has_intervals ? &intervals : NULL, excluded);
     if (sample->target &&
         (!is_clear || may_meet_glass || light->methods || surface->packet->context.recorders)) {
         light_sample_aim(sample);
@@ -207,7 +215,7 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
         return;
     }
     if (is_clear) {
-        for (int v = 0; v < sample->shadow_rays.vector_count; v++) {
+        for (int v = 0; v < packet_vector_count(&sample->shadow_rays); v++) {
             occluded[v] = mask_of(false);
         }
     } else {
@@ -227,7 +235,7 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
                       const RayOffset *offset, bool has_specular, const SurfaceHit *surface,
                       DirectLighting *lighting) {
     uint64_t rays = 0;
-    const int vector_count = surface->packet->vector_count;
+    const int vector_count = packet_vector_count(surface->packet);
     direct_lighting_clear(lighting, vector_count, has_specular);
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;

@@ -57,7 +57,7 @@ void emitters_closest_hits(const Emitters *emitters, const Packet *packet, Hit *
         const Emitter *emitter = &emitters->items[i];
         const LightClass *class = emitter->light->class;
         integer id = integer_of(FIRST_EMITTER_ID - emitter->light_index);
-        for (int v = 0; v < packet->vector_count; v++) {
+        for (int v = 0; v < packet_vector_count(packet); v++) {
             const Ray *ray = &packet->rays[v];
             mask active = packet->active[v];
             if (class->visible_from) {
@@ -74,7 +74,7 @@ int emitter_light_index(int shape) {
 }
 
 void emitters_shade(const Light *lights, const Packet *packet, const Hit *hits, Rgb *colors) {
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask remaining = hits[v].shape <= integer_of(FIRST_EMITTER_ID);
         while (any(remaining)) {
             int shape = integer_lane(hits[v].shape, mask_first(remaining));

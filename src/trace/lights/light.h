@@ -142,7 +142,7 @@ INLINE void light_sample_set(const SurfaceHit *surface, int v, Vec3 to_light, Li
 INLINE void light_sample_center(const Vec3 *center, const RayOffset *offset,
                                 const SurfaceHit *surface, LightSample *sample) {
     sample->target = center;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         const Hit *hit = &surface->hits[v];
         if (!any(surface->needs_light[v])) {
             sample->shadow_rays.active[v] = mask_of(false);
@@ -159,7 +159,7 @@ INLINE void light_sample_center(const Vec3 *center, const RayOffset *offset,
 
 /** Directs rays to #LightSample.target. */
 INLINE void light_sample_aim(LightSample *sample) {
-    for (int v = 0; v < sample->shadow_rays.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&sample->shadow_rays); v++) {
         Ray *ray = &sample->shadow_rays.rays[v];
         if (any(sample->shadow_rays.active[v])) {
             *ray = ray_of(ray->origin, vec3_subtract(*sample->target, ray->origin));

@@ -33,7 +33,7 @@ static void sphere_light_sample_center(const Light *light, size_t light_index,
                                        const RayOffset *offset, const SurfaceHit *surface,
                                        LightSample *sample) {
     point_light_sample(light, light_index, offset, surface, sample);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         real t_end = 1 - ((const PointLight *)light_own(light))->radius /
                              real_sqrt(sample->distance_squared[v]);
         sample->shadow_rays.limit[v] = real_max(t_end, real_of(0));
@@ -95,7 +95,7 @@ static void sphere_light_sample(const Light *light, size_t light_index, const Ra
                                 const SurfaceHit *surface, LightSample *sample) {
     const PointLight *sphere = light_own(light);
     real radius_squared = sphere->radius * sphere->radius;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         sample->shadow_rays.active[v] = surface->needs_light[v];
         if (!any(surface->needs_light[v])) {
             continue;

@@ -66,7 +66,7 @@ static void rectangle_light_sample_center(const Light *light, size_t light_index
     (void)light_index;
     const RectangleLight *rectangle = light_own(light);
     light_sample_center(&rectangle->center, offset, surface, sample);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         Vec3 from_corner = vec3_subtract(surface->hits[v].point, rectangle->corner);
         real distance = real_sqrt(sample->distance_squared[v]);
         real cosine = rectangle_light_height(rectangle, from_corner) / distance;
@@ -117,7 +117,7 @@ INLINE RectanglePoint rectangle_point_weighted(const RectangleLight *rectangle, 
 static void rectangle_light_sample(const Light *light, size_t light_index, const RayOffset *offset,
                                    const SurfaceHit *surface, LightSample *sample) {
     const RectangleLight *rectangle = light_own(light);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         const Hit *hit = &surface->hits[v];
         sample->shadow_rays.active[v] = surface->needs_light[v];
         if (!any(surface->needs_light[v])) {

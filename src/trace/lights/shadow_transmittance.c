@@ -44,8 +44,8 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     integer shape_before[PACKET_VECTORS];
     segments.wants_points = true;
     segments.has_beam = false;
-    segments.vector_count = rays->vector_count;
-    for (int v = 0; v < rays->vector_count; v++) {
+    segments.vector_count = packet_vector_count(rays);
+    for (int v = 0; v < packet_vector_count(rays); v++) {
         const Hit *hit = &hits[v];
         Vec3 direction = rays->rays[v].direction, normal = hit->normal;
         mask hit_lanes = rays->active[v] & (hit->shape >= integer_of(0));
@@ -65,7 +65,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     if (packet_active_count(&segments) > 0) {
         dielectrics_cross_segments(dielectrics, &segments, hits, interior);
     }
-    for (int v = 0; v < rays->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(rays); v++) {
         if (!any(is_transmitted[v])) {
             overridden[v] = mask_of(false);
             continue;
@@ -91,7 +91,7 @@ static void shadow_transmittance_step(const ShapeSet *shapes, const ShapeSet *gl
     if (surface->dielectrics->may_override) {
         find_overridden(offset, surface->dielectrics, rays, hits, interior, overridden);
     }
-    for (int v = 0; v < rays->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(rays); v++) {
         mask hit_lanes = rays->active[v] & (hits[v].shape >= integer_of(0));
         rays->active[v] = hit_lanes;
         if (any(hit_lanes)) {
@@ -118,7 +118,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const ShapeSet *glass,
     Packet rays = *shadow;
     InteriorList interior[PACKET_VECTORS];
     rays.wants_points = true;
-    for (int v = 0; v < rays.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays); v++) {
         rays.active[v] &= mask_not(occluded[v]);
         if (surface->dielectrics->may_override && any(rays.active[v])) {
             interior[v] = surface->interior[v];
@@ -127,7 +127,7 @@ void shadow_transmittance_find(const ShapeSet *shapes, const ShapeSet *glass,
     for (int i = 0; i < MAX_SHADOW_SURFACES && packet_active_count(&rays) > 0; i++) {
         shadow_transmittance_step(shapes, glass, offset, surface, &rays, interior, transmittance);
     }
-    for (int v = 0; v < rays.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays); v++) {
         occluded[v] |= rays.active[v] | mask_not(rgb_max(transmittance[v]) > 0);
     }
 }

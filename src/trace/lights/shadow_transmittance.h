@@ -7,8 +7,8 @@
 
 #include "trace/lights/direct_lighting.h"
 
-/** @return The transparent shapes that can take light from shadow rays. @param offset How rays leave
- *  a surface. */
+/** @return The transparent shapes that can take light from shadow rays. @param offset How rays
+ * leave a surface. */
 const ShapeSet *shadow_transmittance_shapes(const Dielectrics *dielectrics,
                                             const RayOffset *offset);
 

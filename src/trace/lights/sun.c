@@ -14,7 +14,7 @@ static void sun_sample(const Light *light, size_t light_index, const RayOffset *
                        const SurfaceHit *surface, LightSample *sample) {
     (void)light_index;
     const Sun *sun = light_own(light);
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         Vec3 to_light = sun->to_sun,
              origin = ray_offset_origin(offset, &surface->hits[v], to_light);
         light_sample_set(surface, v, to_light, sample);

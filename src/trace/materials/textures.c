@@ -134,7 +134,7 @@ static Rgb texture_colors_at(const Textures *textures, const ShapeSet *shapes, c
 
 void textures_sample(const Textures *textures, const ShapeSet *shapes, const SurfaceHit *surface,
                      Rgb *colors) {
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         colors[v] = texture_colors_at(textures, shapes, &surface->hits[v], surface->is_hit[v]);
     }
 }

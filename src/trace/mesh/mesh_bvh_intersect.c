@@ -425,12 +425,12 @@ void mesh_bvh_closest_hits(const MeshBvh *mesh_bvh, const Packet *packet, int sh
     real limits[PACKET_VECTORS];
     MeshBvhHits results;
     mesh_bvh_hits_init(&results);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = hits[v].distance;
     }
     const PacketIntervals intervals = packet_intervals(packet);
     bvh_traverse(&mesh_bvh->bvh, packet, &intervals, limits, &intersector, &results);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask met = packet->active[v] & (results.slots[v] >= integer_of(0));
         mask nearer = hit_is_nearer(&hits[v], met, limits[v], shape_index);
         if (any(nearer)) {
@@ -454,12 +454,12 @@ void mesh_bvh_occluded(const MeshBvh *mesh_bvh, const Packet *packet, mask *occl
     real limits[PACKET_VECTORS];
     MeshBvhHits results;
     mesh_bvh_hits_init(&results);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = real_select(occluded[v], real_of(-1), packet->limit[v]);
     }
     const PacketIntervals intervals = packet_intervals(packet);
     bvh_traverse(&mesh_bvh->bvh, packet, &intervals, limits, &intersector, &results);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         // A limit may be negative from the start: only together with a slot it means a hit.
         occluded[v] |= packet->active[v] & (results.slots[v] >= integer_of(0)) & (limits[v] < 0);
     }

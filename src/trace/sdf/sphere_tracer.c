@@ -404,7 +404,7 @@ typedef struct MarchPacket {
  *  rarely called. @param is_repeated Whether the field has a grid. */
 static __attribute__((noinline)) void march_packet_begin_vectors(MarchPacket *march,
                                                                  bool is_repeated) {
-    while (march->queue.count < LANES && march->begun < march->packet->vector_count) {
+    while (march->queue.count < LANES && march->begun < packet_vector_count(march->packet)) {
         int v = march->begun++;
         SphereTrace *trace = &march->traces[v];
         trace->arrived = mask_of(false);

@@ -125,12 +125,12 @@ static mask sdf_shape_is_occluding(const Shape *self, const Ray *ray, mask activ
 static void sdf_shape_closest_hits(const Shape *self, const Packet *packet, Hit *hits) {
     SphereTrace traces[PACKET_VECTORS];
     real limits[PACKET_VECTORS];
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = hits[v].distance;
     }
     sphere_trace_run_packet(&((const SdfShape *)self)->tracer, packet, packet->active, limits,
                             false, traces);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         if (any(traces[v].arrived)) {
             sdf_shape_update_hit(self, &traces[v], &hits[v]);
         }
@@ -141,12 +141,12 @@ static void sdf_shape_closest_hits(const Shape *self, const Packet *packet, Hit 
 static void sdf_shape_occluded(const Shape *self, const Packet *packet, mask *occluded) {
     SphereTrace traces[PACKET_VECTORS];
     mask pending[PACKET_VECTORS];
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         pending[v] = packet->active[v] & mask_not(occluded[v]);
     }
     sphere_trace_run_packet(&((const SdfShape *)self)->tracer, packet, pending, packet->limit, true,
                             traces);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         if (any(traces[v].arrived)) {
             occluded[v] |= sdf_shape_occluded_lanes(&traces[v], packet->limit[v]);
         }

@@ -292,8 +292,8 @@ static Packet transformed_packet_to_local(const TransformedShape *self, const Pa
     Packet local_packet;
     local_packet.wants_points = packet->wants_points;
     local_packet.has_beam = false;
-    local_packet.vector_count = packet->vector_count;
-    for (int v = 0; v < packet->vector_count; v++) {
+    local_packet.vector_count = packet_vector_count(packet);
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         const Ray *ray = &packet->rays[v];
         LocalRay local_ray = {*ray, wide_of(0)};
         real near;
@@ -314,7 +314,7 @@ static void transformed_closest_hits(const Shape *self, const Packet *packet, Hi
     wide skipped[PACKET_VECTORS];
     real limits[PACKET_VECTORS];
     Hit local_hit[PACKET_VECTORS];
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limits[v] = hits[v].distance;
         local_hit[v] = hit_none(real_of(INFINITE));
     }
@@ -324,7 +324,7 @@ static void transformed_closest_hits(const Shape *self, const Packet *packet, Hi
     }
     transformed->inner->class->extension->closest_hits(transformed->inner, &local_packet,
                                                        local_hit);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask is_hit_local = local_packet.active[v] & (local_hit[v].shape >= integer_of(0));
         real distance = narrow(skipped[v] + widen(local_hit[v].distance));
         mask nearer = hit_is_nearer(&hits[v], is_hit_local, distance, self->index);

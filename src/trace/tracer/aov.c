@@ -44,7 +44,7 @@ static void aov_record_uv(const TextureUv *uv, mask lanes, AovSample *samples) {
 /** Records the texture coordinates of camera rays. */
 static void aov_record_uvs(const ShapeSet *shapes, const Packet *packet, const Hit *hits,
                            AovSample *samples) {
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask remaining = packet->active[v] & (hits[v].shape >= integer_of(0));
         while (any(remaining)) {
             int shape = integer_lane(hits[v].shape, mask_first(remaining));
@@ -112,7 +112,7 @@ INLINE real steps_limit(const Shape *shape, const Hit *hit) {
 /** @return A packet whose rays end at their hits. */
 static Packet packet_up_to_hits(const Packet *packet, const Hit *hits) {
     Packet limited = *packet;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         limited.limit[v] = hits[v].distance;
     }
     return limited;

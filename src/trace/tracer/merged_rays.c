@@ -81,7 +81,7 @@ INLINE RayVector merging_vector(const RayState *rays, int v) {
 static unsigned merging_queue(const Merging *merging, Child child, const RayState *rays) {
     RayQueue *next = &merging->memory->next[child];
     unsigned before = next->count;
-    for (int v = 0; v < rays->packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays->packet); v++) {
         unsigned lanes = mask_bits(rays->packet.active[v]);
         if (lanes) {
             RayVector vector = merging_vector(rays, v);

@@ -63,8 +63,9 @@ INLINE PacketIntervals packet_range_intervals(const Packet *packet, VectorRange 
 }
 
 PacketIntervals packet_intervals(const Packet *packet) {
-    return LANES == 1 ? (PacketIntervals){0}
-                      : packet_range_intervals(packet, (VectorRange){0, packet->vector_count});
+    return LANES == 1
+               ? (PacketIntervals){0}
+               : packet_range_intervals(packet, (VectorRange){0, packet_vector_count(packet)});
 }
 
 PacketIntervals packet_vector_intervals(const Packet *packet, int v) {
@@ -108,7 +109,7 @@ PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *poin
     const real most = real_of(INFINITE), least = real_of(-INFINITE);
     Vec3 low = {most, most, most}, high = {least, least, least};
     real limit = real_of(0);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask active = packet->active[v];
         unsigned bits = mask_bits(active);
         Vec3 origin = packet->rays[v].origin;

@@ -67,16 +67,21 @@ struct Packet {
     Ray rays[PACKET_VECTORS];    /**< The rays. */
     mask active[PACKET_VECTORS]; /**< The lanes that hold a ray. */
     real limit[PACKET_VECTORS];  /**< The largest distance that counts. */
-    int vector_count;            /**< Vectors that hold rays, the first ones: of others, nothing is
-                                      set, here and in what is found for the rays. */
     bool wants_points;           /**< Whether hit points and normals are needed, not only shapes and
                                       distances. */
     bool has_beam;               /**< Whether all rays are within #beam. */
+    int vector_count;            /**< Vectors that hold rays, the first ones: of others, nothing is
+                                      set, here and in what is found for the rays. */
     Beam beam;                   /**< A beam of camera rays. */
     const Shape *only_shape;     /**< The only shape that #beam meets, as far as box and class tell;
                                       NULL: nobody knows. Read only with a beam. */
     SampleContext context;       /**< The samples that the rays belong to. */
 };
+
+/** @return See #Packet.vector_count; in engines of one lane a constant. */
+INLINE int packet_vector_count(const Packet *packet) {
+    return PACKET_VECTORS == 1 ? 1 : packet->vector_count;
+}
 
 /** A packet on its path from the camera through the scene. */
 typedef struct RayState {
@@ -144,7 +149,7 @@ INLINE void losses_clear(Losses *losses, int vector_count) {
 /** @return The number of active rays. */
 INLINE unsigned packet_active_count(const Packet *packet) {
     unsigned count = 0;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         count += mask_count(packet->active[v]);
     }
     return count;

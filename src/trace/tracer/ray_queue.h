@@ -116,7 +116,7 @@ static inline void packet_gather(const RayColumns *columns, int interior_count, 
     packet->wants_points = true;
     packet->has_beam = false;
     packet->vector_count = (int)((count + LANES - 1) / LANES);
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         unsigned done = (unsigned)v * LANES, fill = count - done;
         packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);
         packet->limit[v] = real_of(INFINITE);

@@ -14,7 +14,7 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
     secondary->rays.interior = interior;
     secondary->rays.packet.wants_points = true;
     secondary->rays.packet.has_beam = false;
-    secondary->rays.packet.vector_count = parent->vector_count;
+    secondary->rays.packet.vector_count = packet_vector_count(parent);
     secondary->rays.packet.context = parent->context;
     secondary->rays.packet.context.bounce++;
     secondary->rays.packet.context.type = type;
@@ -55,7 +55,7 @@ INLINE void secondary_rays_set(SecondaryRays *secondary, int v, Vec3 origin, Vec
 void reflect_rays(const TraceContext *context, const RayState *rays, const SurfaceHit *surface,
                   SecondaryRays *reflected, Losses *losses) {
     secondary_rays_init(reflected, RAY_REFLECTION, &rays->packet, rays->interior);
-    for (int v = 0; v < rays->packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays->packet); v++) {
         mask lanes = surface->may_turn[v];
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], lanes);
@@ -77,7 +77,7 @@ void refract_rays(const TraceContext *context, const RayState *rays, const Surfa
                   SecondaryRays *refracted, Losses *losses) {
     const DielectricHit *dielectric = surface->dielectric;
     secondary_rays_init(refracted, RAY_REFRACTION, &rays->packet, dielectric->interior_behind);
-    for (int v = 0; v < rays->packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays->packet); v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
         Rgb weight = surface_transmittance(surface, v, &material);
@@ -93,7 +93,7 @@ void refract_rays(const TraceContext *context, const RayState *rays, const Surfa
 }
 
 void losses_add(const Packet *packet, const Losses *incoming, Losses *losses) {
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask lanes = packet->active[v];
         losses_add_lanes(lanes, incoming->dropped[v], &losses->dropped[v]);
         losses_add_lanes(lanes, incoming->guarded[v], &losses->guarded[v]);
@@ -102,7 +102,7 @@ void losses_add(const Packet *packet, const Losses *incoming, Losses *losses) {
 }
 
 void secondary_rays_add(const SecondaryRays *secondary, const Rgb *incoming, Rgb *colors) {
-    for (int v = 0; v < secondary->rays.packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&secondary->rays.packet); v++) {
         Rgb sum = rgb_add(colors[v], rgb_multiply(secondary->weights[v], incoming[v]));
         colors[v] = rgb_select(secondary->rays.packet.active[v], sum, colors[v]);
     }

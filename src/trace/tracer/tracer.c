@@ -24,15 +24,15 @@
 /** @return The shape that all rays meet that meet any; -1: they meet several, or none. */
 INLINE int sole_shape(const SurfaceHit *surface) {
     int first = 0;
-    while (first < surface->packet->vector_count && !any(surface->is_hit[first])) {
+    while (first < packet_vector_count(surface->packet) && !any(surface->is_hit[first])) {
         first++;
     }
-    if (first == surface->packet->vector_count) {
+    if (first == packet_vector_count(surface->packet)) {
         return -1;
     }
     int shape = integer_at(&surface->hits[first].shape, mask_first(surface->is_hit[first]));
     mask others = mask_of(false);
-    for (int v = first; v < surface->packet->vector_count; v++) {
+    for (int v = first; v < packet_vector_count(surface->packet); v++) {
         others |= surface->is_hit[v] & (surface->hits[v].shape != integer_of(shape));
     }
     return any(others) ? -1 : shape;
@@ -47,13 +47,13 @@ INLINE void find_materials(const Tracer *tracer, SurfaceHit *surface) {
         int material = tracer->shapes.shapes[shape]->material;
         const MaterialIds ids = {integer_of(material), material, mask_of(false)};
         surface->traits = materials[material].traits;
-        for (int v = 0; v < surface->packet->vector_count; v++) {
+        for (int v = 0; v < packet_vector_count(surface->packet); v++) {
             surface->material_ids[v] = ids;
         }
         return;
     }
     surface->traits = 0;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         MaterialIds ids = material_ids_of(&tracer->shapes, &surface->hits[v], surface->is_hit[v]);
         surface->material_ids[v] = ids;
         surface->traits |= any(surface->is_hit[v]) ? material_ids_traits(materials, &ids) : 0;
@@ -77,7 +77,7 @@ static bool find_hits(const Tracer *tracer, const RayState *rays, SurfaceHit *su
     if (tracer->emitters.count > 0) {
         emitters_closest_hits(&tracer->emitters, packet, surface->hits);
     }
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         const Hit *hit = &surface->hits[v];
         surface->is_hit[v] = surface->needs_light[v] =
             packet->active[v] & (hit->shape >= integer_of(0));
@@ -124,7 +124,7 @@ static Rgb sky_color(const Tracer *tracer, Vec3 direction, mask lanes) {
 /** Sets the colours of the rays that hit no shape: of the sky, or of a visible light. */
 INLINE void shade_background(const Tracer *tracer, const SurfaceHit *surface, Rgb *colors) {
     const Packet *packet = surface->packet;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         mask missed = packet->active[v] & mask_not(surface->is_hit[v]);
         if (any(missed)) {
             colors[v] = sky_color(tracer, packet->rays[v].direction, missed);
@@ -150,7 +150,7 @@ INLINE void shade_uniform_surfaces(const SurfaceHit *surface, const DirectLighti
     const MaterialPack material =
         material_pack_splat(&surface->materials[surface->material_ids[0].first]);
     const bool shines = surface->traits & MATERIAL_SHINES;
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         colors[v] =
             rgb_select(surface->is_hit[v], local_color(&material, lighting, shines, v), colors[v]);
     }
@@ -161,7 +161,7 @@ INLINE void shade_uniform_surfaces(const SurfaceHit *surface, const DirectLighti
 INLINE void shade_mixed_surfaces(const SurfaceHit *surface, const DirectLighting *lighting,
                                  const Rgb *textures, Rgb *colors) {
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
-    for (int v = 0; v < surface->packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);
         if (textures) {
@@ -208,7 +208,7 @@ INLINE void shade_surfaces(const TraceContext *context, const SurfaceHit *surfac
  *  up. @return Whether any ray may go on; at an overridden surface all may. */
 INLINE bool find_turns(const Tracer *tracer, const RayState *rays, SurfaceHit *surface) {
     mask goes_on = mask_of(false);
-    for (int v = 0; v < rays->packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&rays->packet); v++) {
         surface->may_turn[v] = surface->is_hit[v] & (rays->turns[v] < integer_of(tracer->depth));
         goes_on |= surface->may_turn[v];
         if (surface->dielectric) {
@@ -254,7 +254,7 @@ __attribute__((noinline)) bool shade_and_scatter(const TraceContext *context, co
     if (is_matt || !find_turns(tracer, rays, &surface)) {
         return false;
     }
-    losses_clear(losses, rays->packet.vector_count);
+    losses_clear(losses, packet_vector_count(&rays->packet));
     reflect_rays(context, rays, &surface, &scattered->reflected, losses);
     if (rays->interior) {
         refract_rays(context, rays, &surface, &scattered->refracted, losses);
@@ -283,7 +283,7 @@ INLINE void trace_secondary(const TraceContext *context, const SecondaryRays *se
         ray_tree_push(ray_tree, secondary->type, rays, secondary->weights[0]);
     }
     if (!trace_packet(context, rays, incoming, &incoming_losses)) {
-        losses_clear(&incoming_losses, rays->packet.vector_count);
+        losses_clear(&incoming_losses, packet_vector_count(&rays->packet));
     }
     if (ray_tree) {
         ray_tree_pop(ray_tree, incoming[0]);

@@ -159,7 +159,7 @@ INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child 
     const int interior_count = wavefront->interior_count;
     RayQueue *kept = &wavefront->kept[child];
     unsigned count = 0;
-    for (int v = 0; v < secondary->rays.packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&secondary->rays.packet); v++) {
         unsigned lanes = mask_bits(secondary->rays.packet.active[v]);
         if (lanes == 0) {
             continue;
@@ -167,8 +167,8 @@ INLINE unsigned secondary_rays_queue(Wavefront *wavefront, scalar cutoff, Child 
         mask is_heavy = rgb_max(secondary->rays.throughput[v]) >= cutoff;
         unsigned heavy = lanes & mask_bits(is_heavy), light = lanes & ~heavy;
         integer links = node_link(lane_numbers() + (int)source->nodes[v], child);
-        RayVector rays = ray_vector_of(&secondary->rays, v, secondary->weights[v], links,
-                                       source->samples[v]);
+        RayVector rays =
+            ray_vector_of(&secondary->rays, v, secondary->weights[v], links, source->samples[v]);
         ray_queues_add(wavefront->next, child, heavy, &rays, interior_count);
         count += (unsigned)__builtin_popcount(heavy);
         if (light) {
@@ -200,7 +200,7 @@ static void packet_set_context(const Wavefront *wavefront, const SampleContext *
         return;
     }
     packet->context.pixel_ids = gathered->pixel_ids;
-    for (int v = 0; v < packet->vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
         for (int lane = 0; lane < LANES && any(packet->active[v]); lane++) {
             int sample = integer_at(&gathered->source.samples[v], lane);
             gathered->pixel_ids[v * LANES + lane] = wavefront->pixel_ids[sample];
@@ -211,7 +211,7 @@ static void packet_set_context(const Wavefront *wavefront, const SampleContext *
 /** Adds nodes for the rays of a packet. */
 static void nodes_add(PathNodes *nodes, GatheredPacket *gathered, const Rgb *colors,
                       const Losses *losses) {
-    for (int v = 0; v < gathered->rays.packet.vector_count; v++) {
+    for (int v = 0; v < packet_vector_count(&gathered->rays.packet); v++) {
         unsigned lanes = mask_bits(gathered->rays.packet.active[v]);
         unsigned first = path_nodes_add(nodes, gathered->weights[v], colors[v], losses->dropped[v],
                                         losses->guarded[v]);
@@ -236,7 +236,7 @@ static __attribute__((noinline)) void wavefront_trace_packet(Wavefront *wavefron
     Losses losses;
     bool is_scattered = shade_and_scatter(context, &gathered->rays, &scattered, colors, &losses);
     if (!is_scattered) {
-        losses_clear(&losses, gathered->rays.packet.vector_count);
+        losses_clear(&losses, packet_vector_count(&gathered->rays.packet));
     }
     nodes_add(wavefront->nodes, gathered, colors, &losses);
     if (is_scattered) {

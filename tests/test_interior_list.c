@@ -348,11 +348,12 @@ static void build_crowd(Scene *scene, Placement placement) {
     add_turned_box(scene, placement, (Vec3d){-0.3, -0.2, -0.9}, (Vec3d){0.4, 0.1, 0.9});
 }
 
-/** The same, and so many specks out of sight that no neighbours are looked for. */
+/** The same, and so many specks below the floor that no neighbours are looked for. They lie within
+ *  the bounds of the scene, so its coordinates stay. */
 static void build_crowd_of_many(Scene *scene, Placement placement) {
     build_crowd(scene, placement);
     for (int i = 0; i < 600; i++) {
-        add_placed_sphere(scene, placement, (Vec3d){-3 + 0.01 * i, 5, 4}, 1e-4);
+        add_placed_sphere(scene, placement, (Vec3d){-5.9 + 0.019 * i, -3.9, -5.9}, 1e-4);
     }
 }
 

@@ -146,28 +146,27 @@ static void shape_update_lanes(const Shape *shape, const Packet *packet, const m
     }
 }
 
-/** The boxes around parts of rays. */
-typedef struct RayParts {
-    Vec3 low[PACKET_VECTORS];  /**< The lowest corners. */
-    Vec3 high[PACKET_VECTORS]; /**< The highest corners. */
-} RayParts;
+/** The bounding boxes of LANES segments of rays. */
+typedef struct SegmentBoxes {
+    Vec3 low;  /**< The lowest corners. */
+    Vec3 high; /**< The highest corners. */
+} SegmentBoxes;
 
-/** Sets the boxes around parts of the rays of a vector. @param slack By how much they are enlarged.
- */
-INLINE void ray_parts_set(RayParts *parts, int v, const Vec3 *from, const Vec3 *to, scalar slack) {
+/** @return The boxes of segments. @param slack By how much they are enlarged. */
+INLINE SegmentBoxes segment_boxes_of(const Vec3 *from, const Vec3 *to, scalar slack) {
     const Vec3 around = {real_of(slack), real_of(slack), real_of(slack)};
-    parts->low[v] = vec3_subtract(vec3_min(*from, *to), around);
-    parts->high[v] = vec3_add(vec3_max(*from, *to), around);
+    return (SegmentBoxes){vec3_subtract(vec3_min(*from, *to), around),
+                          vec3_add(vec3_max(*from, *to), around)};
 }
 
-/** @return The lanes in which a part of a ray may meet a box. */
-INLINE mask ray_parts_meet(const RayParts *parts, int v, const Aabbs *box) {
-    mask meets = mask_of(true);
+/** @return The lanes in which the box of a segment overlaps another. */
+INLINE mask segment_boxes_overlap(const SegmentBoxes *boxes, const Aabbs *box) {
+    mask overlap = mask_of(true);
     for (int axis = 0; axis < 3; axis++) {
-        meets &= (vec3_component(&parts->low[v], axis) <= real_of(box->high[axis])) &
-                 (vec3_component(&parts->high[v], axis) >= real_of(box->low[axis]));
+        overlap &= (vec3_component(&boxes->low, axis) <= real_of(box->high[axis])) &
+                   (vec3_component(&boxes->high, axis) >= real_of(box->low[axis]));
     }
-    return meets;
+    return overlap;
 }
 
 /** Finds the hits of rays inside of a shape: first with its wall, then with what may be before
@@ -177,20 +176,20 @@ static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet,
                                     Hit *hits) {
     const Neighbours *neighbours = rays->neighbours;
     mask closed[PACKET_VECTORS] = {0};
-    RayParts parts;
+    SegmentBoxes boxes[PACKET_VECTORS];
     shape_update_lanes(neighbours->glass, packet, rays->lanes, hits);
     for (int v = 0; v < packet_vector_count(packet); v++) {
         const Vec3 *origin = &packet->rays[v].origin, *end = &hits[v].point;
         closed[v] = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
                     aabbs_contains(&neighbours->box, origin) &
                     aabbs_contains(&neighbours->box, end);
-        ray_parts_set(&parts, v, origin, end, neighbours->slack);
+        boxes[v] = segment_boxes_of(origin, end, neighbours->slack);
         open[v] &= mask_not(closed[v]);
     }
     for (int i = 0; i < neighbours->count; i++) {
         mask near[PACKET_VECTORS];
         for (int v = 0; v < packet_vector_count(packet); v++) {
-            near[v] = closed[v] & ray_parts_meet(&parts, v, &neighbours->others[i].box);
+            near[v] = closed[v] & segment_boxes_overlap(&boxes[v], &neighbours->others[i].box);
         }
         if (any_of(near, packet_vector_count(packet))) {
             shape_update_lanes(neighbours->others[i].shape, packet, near, hits);
@@ -230,7 +229,6 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
                              const Packet *segments, mask *open, ShapeVisitor visitor,
                              void *found) {
     const Neighbours *neighbours = rays->neighbours;
-    RayParts parts;
     for (int v = 0; v < packet_vector_count(segments); v++) {
         const Ray *ray = &segments->rays[v];
         if (!any(rays->lanes[v])) {
@@ -239,13 +237,13 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
         Vec3 end = vec3_add(ray->origin, ray->direction);
         mask lanes = rays->lanes[v] & aabbs_contains(&neighbours->box, &ray->origin) &
                      aabbs_contains(&neighbours->box, &end);
-        ray_parts_set(&parts, v, &ray->origin, &end, neighbours->slack);
+        SegmentBoxes boxes = segment_boxes_of(&ray->origin, &end, neighbours->slack);
         open[v] &= mask_not(lanes);
         visitor(neighbours->glass, segments, v, lanes, found);
         for (int i = 0; i < neighbours->count; i++) {
             const Shape *other = neighbours->others[i].shape;
             if (dielectrics->iors[other->index + 1] > 0) {
-                mask near = lanes & ray_parts_meet(&parts, v, &neighbours->others[i].box);
+                mask near = lanes & segment_boxes_overlap(&boxes, &neighbours->others[i].box);
                 if (any(near)) {
                     visitor(other, segments, v, near, found);
                 }

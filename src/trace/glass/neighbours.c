@@ -75,7 +75,8 @@ INLINE mask aabbs_contains(const Aabbs *box, const Vec3 *point) {
     mask contains = mask_of(true);
     for (int axis = 0; axis < 3; axis++) {
         real x = vec3_component(point, axis);
-        contains &= (x >= real_of(box->low[axis])) & (x <= real_of(box->high[axis]));
+        mask is_above = x >= real_of(box->low[axis]), is_below = x <= real_of(box->high[axis]);
+        contains &= is_above & is_below;
     }
     return contains;
 }
@@ -163,8 +164,9 @@ INLINE SegmentBoxes segment_boxes_of(const Vec3 *from, const Vec3 *to, scalar sl
 INLINE mask segment_boxes_overlap(const SegmentBoxes *boxes, const Aabbs *box) {
     mask overlap = mask_of(true);
     for (int axis = 0; axis < 3; axis++) {
-        overlap &= (vec3_component(&boxes->low, axis) <= real_of(box->high[axis])) &
-                   (vec3_component(&boxes->high, axis) >= real_of(box->low[axis]));
+        mask begins = vec3_component(&boxes->low, axis) <= real_of(box->high[axis]);
+        mask ends = vec3_component(&boxes->high, axis) >= real_of(box->low[axis]);
+        overlap &= begins & ends;
     }
     return overlap;
 }

@@ -8,11 +8,11 @@ BEGIN {
     add("plain packets: all of it", "^(plain_|plane_section|section_)")
     add("culling", "(_covers|_misses|_misses_to_point|_miss_sphere)$|^(beam_|camera_beam|camera_packet_beam|intervals_to|packet_intervals|packet_active|linear_cand|occluding_cand|candidates_|shape_set_|set_bvh|set_intervals|bvh_|packet_tr|single_t|tile_is_back|tile_sight|aabb)")
     add("shadow rays: intersection", "(_is_occluding|_occluded)")
-    add("rays: intersection", "(_is_hit|_beam_hits|_closest_hits|_intersect|closest_hit|sphere_intersect|mesh_|leaf_|triangle)")
+    add("rays: intersection", "(_is_hit|_beam_hits|_closest_hits|_intersect|closest_hit|sphere_intersect|mesh_|leaf_|triangle|shape_update_lanes)")
     add("marching", "^(sphere_trace|march_|sdf_|union_run|grid_|repeat_)")
     add("lights: sampling", "(_light_sample|light_sample_|^light_|emitters_)")
     add("shading", "^(shade_|find_|real_pow|phong|textures_|material|sky_|local_|fresnel)")
-    add("mirrors and glass: new rays", "^(reflect_|refract_|secondary_|dielectric|contact|interior|wavefront|trace_packet|trace_secondary|losses|shadow_trans|packet_gather|queue|node)")
+    add("mirrors and glass: new rays", "^(reflect_|refract_|secondary_|dielectric|contact|interior|wavefront|trace_packet|trace_secondary|losses|shadow_trans|packet_gather|queue|node|glass_rays|neighbours_|segment_|path_nodes|scattered|ray_queue|kept_rays)")
     add("passes and store", "^(trace_|colors_|tile_trace|tile_load|shade_tile|retrace|settle|camera_rays_init|tile_fill)")
     add("encoding", "^(tile_finish|tile_encode|average_row|row_encode|encoder_encode)")
 }

@@ -85,19 +85,14 @@ static inline const Shape *beam_only_shape(const BeamCandidates *candidates) {
 void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part, BeamCandidates *candidates);
 
 /**
- * Finds closer hits of a packet.
- * @param packet         The rays, at least one active.
- * @param[in,out] hits   Nearest hits so far, per vector of rays. @callgraph
+ * Finds the closest hits of a packet.
+ * @param packet     The rays, at least one active.
+ * @param[out] hits  The hits, per vector of rays. @callgraph
  */
-void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
+void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
 
-/** Finds the closest hits of a packet. @param[out] hits The hits. See shape_set_update_hits(). */
-INLINE void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
-    for (int v = 0; v < packet_vector_count(packet); v++) {
-        hits[v] = hit_none(packet->limit[v]);
-    }
-    shape_set_update_hits(set, packet, hits);
-}
+/** Finds closer hits of a packet. @param[in,out] hits The closest so far, per vector of rays. */
+void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits);
 
 /**
  * Finds the rays of a packet that meet any shape before their limit.

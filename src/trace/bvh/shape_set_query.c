@@ -338,6 +338,13 @@ void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
     }
 }
 
+void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
+    for (int v = 0; v < packet_vector_count(packet); v++) {
+        hits[v] = hit_none(packet->limit[v]);
+    }
+    shape_set_update_hits(set, packet, hits);
+}
+
 void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits) {
     if (LANES == 1) {
         single_ray_closest_hit(set, packet, hits);

@@ -39,7 +39,8 @@ typedef struct Dielectrics {
     scalar *offset_scales;  /**< Factors of the ray offset: 1 for air, then of each shape 0 if it is
                                  transparent, #TOUCHING_OFFSET_SCALE if it is in #touching, or 1;
                                  owned. NULL: no shape touches a transparent one. */
-    Neighbours *neighbours; /**< What rays inside of each shape meet; owned. */
+    Neighbours *neighbours; /**< What rays inside of each shape meet; owned. NULL: there are
+                                 too many shapes. */
     InteriorList camera_interior; /**< The shapes that the camera is inside of. */
     bool may_override; /**< Whether a later shape may override a tinted surface, for shadow rays. */
 } Dielectrics;

@@ -31,8 +31,9 @@ static Neighbours neighbours_of(const Shape *glass, const ShapeSet *all) {
     Neighbours neighbours = {.glass = glass, .box = glass->class->bounds(glass)};
     neighbours.slack = NEIGHBOUR_ROUNDINGS * AABB_ROUNDOFF * aabbs_largest(&neighbours.box);
     for (int axis = 0; axis < 3; axis++) {
-        neighbours.box.low[axis] -= neighbours.slack;
-        neighbours.box.high[axis] += neighbours.slack;
+        // Once for the segments, and once for their own slack.
+        neighbours.box.low[axis] -= 2 * neighbours.slack;
+        neighbours.box.high[axis] += 2 * neighbours.slack;
     }
     for (size_t i = 0; neighbours.glass && i < all->count; i++) {
         const Shape *shape = all->shapes[i];
@@ -51,15 +52,15 @@ static Neighbours neighbours_of(const Shape *glass, const ShapeSet *all) {
 
 bool neighbours_init(Dielectrics *dielectrics) {
     const ShapeSet *all = dielectrics->all, *transparent = &dielectrics->transparent;
-    dielectrics->neighbours = calloc(all->count, sizeof *dielectrics->neighbours);
-    if (!dielectrics->neighbours) {
-        return false;
+    if (all->count > NEIGHBOUR_SHAPES_MAXIMUM) {
+        return true;
     }
-    for (size_t i = 0; all->count <= NEIGHBOUR_SHAPES_MAXIMUM && i < transparent->count; i++) {
+    dielectrics->neighbours = calloc(all->count, sizeof *dielectrics->neighbours);
+    for (size_t i = 0; dielectrics->neighbours && i < transparent->count; i++) {
         const Shape *glass = transparent->shapes[i];
         dielectrics->neighbours[glass->index] = neighbours_of(glass, all);
     }
-    return true;
+    return dielectrics->neighbours;
 }
 
 /* --- the rays of one shape -------------------------------------------------------------------- */
@@ -69,17 +70,6 @@ typedef struct GlassRays {
     const Neighbours *neighbours; /**< Of the shape. */
     mask lanes[PACKET_VECTORS];   /**< The rays, per vector. */
 } GlassRays;
-
-/** @return The lanes whose point is in a box. */
-INLINE mask aabbs_contains(const Aabbs *box, const Vec3 *point) {
-    mask contains = mask_of(true);
-    for (int axis = 0; axis < 3; axis++) {
-        real x = vec3_component(point, axis);
-        mask is_above = x >= real_of(box->low[axis]), is_below = x <= real_of(box->high[axis]);
-        contains &= is_above & is_below;
-    }
-    return contains;
-}
 
 /** @return Whether any lane is set. @param lanes Per vector of a packet. */
 INLINE bool any_of(const mask *lanes, int vector_count) {
@@ -116,6 +106,9 @@ INLINE int first_shape(const integer *shapes, const mask *lanes, int vector_coun
  */
 static bool glass_rays_take(const Dielectrics *dielectrics, const integer *shapes, mask *lanes,
                             int vector_count, GlassRays *taken) {
+    if (!dielectrics->neighbours) {
+        return false;
+    }
     for (int shape = first_shape(shapes, lanes, vector_count); shape >= 0;
          shape = first_shape(shapes, lanes, vector_count)) {
         taken->neighbours = &dielectrics->neighbours[shape];
@@ -171,6 +164,17 @@ INLINE mask segment_boxes_overlap(const SegmentBoxes *boxes, const Aabbs *box) {
     return overlap;
 }
 
+/** @return The lanes in which the box of a segment is within another. */
+INLINE mask segment_boxes_within(const SegmentBoxes *boxes, const Aabbs *box) {
+    mask is_within = mask_of(true);
+    for (int axis = 0; axis < 3; axis++) {
+        mask begins = vec3_component(&boxes->low, axis) >= real_of(box->low[axis]);
+        mask ends = vec3_component(&boxes->high, axis) <= real_of(box->high[axis]);
+        is_within &= begins & ends;
+    }
+    return is_within;
+}
+
 /** Finds the hits of rays inside of a shape: first with its wall, then with what may be before
  *  that. @param[in,out] open The rays whose closest hit is not known: those whose hit is surely the
  *  closest are removed. */
@@ -181,11 +185,9 @@ static void glass_rays_closest_hits(const GlassRays *rays, const Packet *packet,
     SegmentBoxes boxes[PACKET_VECTORS];
     shape_update_lanes(neighbours->glass, packet, rays->lanes, hits);
     for (int v = 0; v < packet_vector_count(packet); v++) {
-        const Vec3 *origin = &packet->rays[v].origin, *end = &hits[v].point;
+        boxes[v] = segment_boxes_of(&packet->rays[v].origin, &hits[v].point, neighbours->slack);
         closed[v] = rays->lanes[v] & (hits[v].shape >= integer_of(0)) &
-                    aabbs_contains(&neighbours->box, origin) &
-                    aabbs_contains(&neighbours->box, end);
-        boxes[v] = segment_boxes_of(origin, end, neighbours->slack);
+                    segment_boxes_within(&boxes[v], &neighbours->box);
         open[v] &= mask_not(closed[v]);
     }
     for (int i = 0; i < neighbours->count; i++) {
@@ -237,9 +239,8 @@ static void glass_rays_visit(const GlassRays *rays, const Dielectrics *dielectri
             continue;
         }
         Vec3 end = vec3_add(ray->origin, ray->direction);
-        mask lanes = rays->lanes[v] & aabbs_contains(&neighbours->box, &ray->origin) &
-                     aabbs_contains(&neighbours->box, &end);
         SegmentBoxes boxes = segment_boxes_of(&ray->origin, &end, neighbours->slack);
+        mask lanes = rays->lanes[v] & segment_boxes_within(&boxes, &neighbours->box);
         open[v] &= mask_not(lanes);
         visitor(neighbours->glass, segments, v, lanes, found);
         for (int i = 0; i < neighbours->count; i++) {

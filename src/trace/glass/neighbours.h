@@ -26,13 +26,15 @@ typedef struct Neighbour {
 struct Neighbours {
     const Shape *glass; /**< The transparent shape. NULL: the shape is opaque, or has too many
                              neighbours. */
-    Aabbs box;          /**< Its bounding box, with #slack on all sides. */
-    scalar slack;       /**< Room for rounding errors and ray offsets, scene units. */
+    Aabbs box;          /**< Its bounding box, with twice #slack on all sides. */
+    scalar slack;       /**< Room for rounding errors and ray offsets, by which the boxes of
+                             segments of rays are enlarged, scene units. */
     Neighbour others[NEIGHBOURS_MAXIMUM]; /**< The other shapes. */
     int count;                            /**< Number of #others. */
 };
 
-/** Finds the neighbours of all transparent shapes. @return Whether memory sufficed. */
+/** Finds the neighbours of all transparent shapes, unless there are too many shapes. @return
+ * Whether memory sufficed. */
 bool neighbours_init(Dielectrics *dielectrics);
 
 /**

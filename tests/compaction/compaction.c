@@ -31,7 +31,7 @@ static RayVector rays_from(unsigned first) {
             real_set_lane(&rays.numbers[i / 3][i % 3], lane, (scalar)value_of(ray, i));
         }
         integer_set_lane(&rays.turns, lane, value_of(ray, 20));
-        integer_set_lane(&rays.parent, lane, (int)ray);
+        integer_set_lane(&rays.link, lane, (int)ray);
         integer_set_lane(&rays.sample, lane, value_of(ray, 21));
         for (int i = 0; i < INTERIORS; i++) {
             integer_set_lane(&rays.interior.shapes[i], lane, value_of(ray, 22 + i));
@@ -43,7 +43,7 @@ static RayVector rays_from(unsigned first) {
 /** @return Whether the ray in a lane is a test ray with all its numbers. */
 static bool is_ray(const RayVector *rays, int lane, unsigned ray) {
     bool is_equal = integer_lane(rays->turns, lane) == value_of(ray, 20) &&
-                    integer_lane(rays->parent, lane) == (int)ray &&
+                    integer_lane(rays->link, lane) == (int)ray &&
                     integer_lane(rays->sample, lane) == value_of(ray, 21);
     for (int i = 0; i < RAY_COLUMN_GROUP_COUNT * 3; i++) {
         is_equal &= real_lane(rays->numbers[i / 3][i % 3], lane) == (scalar)value_of(ray, i);
@@ -123,7 +123,7 @@ static void fill_queue(RayQueue *queue, uint64_t seed, unsigned *chosen) {
 static unsigned chosen[RAY_COLUMN_CAPACITY];
 
 static CompactionFault check_streams(uint64_t seed) {
-    RayQueue queues[CHILD_COUNT];
+    RayQueue queues[QUEUE_COUNT];
     CompactionFault fault = none;
     if (!ray_queues_init(queues)) {
         return (CompactionFault){"memory", 0, 0};
@@ -152,7 +152,7 @@ static bool packet_has_ray(const GatheredPacket *gathered, unsigned index, unsig
            real_lane(gathered->rays.throughput[v].green, lane) == (scalar)value_of(ray, 7) &&
            real_lane(gathered->weights[v].blue, lane) == (scalar)value_of(ray, 11) &&
            integer_lane(gathered->rays.turns[v], lane) == value_of(ray, 20) &&
-           integer_lane(gathered->parents[v], lane) == (int)ray &&
+           integer_lane(gathered->links[v], lane) == (int)ray &&
            integer_lane(gathered->source.samples[v], lane) == value_of(ray, 21) &&
            integer_lane(gathered->interior[v].shapes[0], lane) == value_of(ray, 22);
 }
@@ -162,7 +162,10 @@ static CompactionFault check_packet(const RayColumns *columns, unsigned first, u
     static GatheredPacket gathered;
     packet_gather(columns, INTERIORS, first, count, &gathered);
     for (unsigned i = 0; i < PACKET_RAYS; i++) {
-        bool is_active = mask_lane(gathered.rays.packet.active[i / LANES], (int)(i % LANES));
+        const Packet *packet = &gathered.rays.packet;
+        // Vectors behind the last ray are not there: what is left of other packets stays in them.
+        bool is_active = (int)(i / LANES) < packet_vector_count(packet) &&
+                         mask_lane(packet->active[i / LANES], (int)(i % LANES));
         unsigned ray = first - RAY_COLUMN_FIRST + i;
         if (is_active != (i < count)) {
             return (CompactionFault){"an active lane", count, i};
@@ -189,7 +192,7 @@ static void queue_rays(RayQueue *queue, unsigned first, unsigned count) {
 
 static CompactionFault check_packets(uint64_t seed) {
     (void)seed;
-    RayQueue queues[CHILD_COUNT];
+    RayQueue queues[QUEUE_COUNT];
     CompactionFault fault = none;
     if (!ray_queues_init(queues)) {
         return (CompactionFault){"memory", 0, 0};
@@ -205,7 +208,7 @@ static CompactionFault check_packets(uint64_t seed) {
 
 static CompactionFault check_joins(uint64_t seed) {
     (void)seed;
-    RayQueue queues[CHILD_COUNT];
+    RayQueue queues[QUEUE_COUNT];
     CompactionFault fault = none;
     if (!ray_queues_init(queues)) {
         return (CompactionFault){"memory", 0, 0};
@@ -306,7 +309,7 @@ static CompactionFault check_merged(const RayQueue *level, const MergeCounts *co
 
 static CompactionFault check_merges(uint64_t seed) {
     static MergeTable table;
-    RayQueue queues[CHILD_COUNT];
+    RayQueue queues[QUEUE_COUNT];
     CompactionFault fault = none;
     if (!ray_queues_init(queues)) {
         return (CompactionFault){"memory", 0, 0};

@@ -123,8 +123,9 @@ static Bvh build_row(const scalar along[3], Aabbs *boxes) {
 /** @return Number of leaves that a ray along a row visits. @param behind Number of boxes behind its
  *  origin. */
 static unsigned count_leaves(const BoxRow *row, const scalar along[3], int behind) {
-    static Packet packet = {.vector_count = PACKET_VECTORS};
+    static Packet packet;
     const Vec3 direction = {real_of(along[0]), real_of(along[1]), real_of(along[2])};
+    packet_init(&packet, PACKET_VECTORS, false);
     packet.rays[0] =
         ray_of(vec3_scale(direction, real_of((scalar)behind + (scalar)0.5)), direction);
     real limits[PACKET_VECTORS] = {real_of(INFINITE)};
@@ -320,7 +321,8 @@ static const char *check_quads(uint64_t seed) {
 
 /** @return A packet of random rays that mostly go the same way along one axis. */
 static Packet random_packet(uint64_t *seed, scalar scale) {
-    Packet packet = {.has_beam = false, .vector_count = PACKET_VECTORS};
+    Packet packet;
+    packet_init(&packet, PACKET_VECTORS, true);
     const Lengths lengths = random_lengths(seed);
     const real limit = real_of(random_scalar(seed) < (scalar)0.5 ? INFINITE : scale);
     for (int v = 0; v < PACKET_VECTORS; v++) {

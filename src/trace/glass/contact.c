@@ -44,9 +44,7 @@ void contacts_resolve(const RayOffset *offset, SurfaceHit *surface) {
     if (!dielectrics->offset_scales) {
         return;
     }
-    segments.wants_points = true;
-    segments.has_beam = false;
-    segments.vector_count = packet_vector_count(surface->packet);
+    packet_init(&segments, packet_vector_count(surface->packet), true);
     for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         Hit *hit = &surface->hits[v];
         integer shape = integer_select(surface->is_hit[v], hit->shape, integer_of(-1));

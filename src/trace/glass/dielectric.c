@@ -17,9 +17,7 @@ typedef struct DielectricEntry {
 static unsigned dielectric_hit_enter(const RayOffset *offset, const SurfaceHit *surface,
                                      DielectricEntry *entry, DielectricHit *dielectric) {
     unsigned count = 0;
-    entry->segments.wants_points = true;
-    entry->segments.has_beam = false;
-    entry->segments.vector_count = packet_vector_count(surface->packet);
+    packet_init(&entry->segments, packet_vector_count(surface->packet), true);
     for (int v = 0; v < packet_vector_count(surface->packet); v++) {
         MaterialPack material =
             material_pack_gather(surface->materials, &surface->material_ids[v], surface->is_hit[v]);

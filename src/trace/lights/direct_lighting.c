@@ -240,9 +240,7 @@ uint64_t shade_direct(const ShapeSet *shapes, const Light *lights, size_t light_
     for (size_t i = 0; i < light_count; i++) {
         LightSample sample;
         mask occluded[PACKET_VECTORS];
-        sample.shadow_rays.wants_points = false;
-        sample.shadow_rays.has_beam = false;
-        sample.shadow_rays.vector_count = vector_count;
+        packet_init(&sample.shadow_rays, vector_count, false);
         sample.target = NULL;
         lights[i].sample(&lights[i], i, offset, surface, &sample);
         if (lights[i].methods & METHOD_SHADOW_BEYOND) {

@@ -55,7 +55,8 @@ void emitters_closest_hits(const Emitters *emitters, const Packet *packet, Hit *
 /** @return The index of the light that a #Hit.shape represents; -1: none. */
 int emitter_light_index(int shape);
 
-/** Sets the colours of rays that met emitters. @param lights The lights of the scene. */
+/** Sets the colours of rays that met emitters. @param lights The lights of the scene. @param packet
+ *  The rays. */
 void emitters_shade(const Light *lights, const Packet *packet, const Hit *hits, Rgb *colors);
 
 #endif

@@ -42,9 +42,7 @@ static void find_overridden(const RayOffset *offset, const Dielectrics *dielectr
     Packet segments;
     mask is_transmitted[PACKET_VECTORS];
     integer shape_before[PACKET_VECTORS];
-    segments.wants_points = true;
-    segments.has_beam = false;
-    segments.vector_count = packet_vector_count(rays);
+    packet_init(&segments, packet_vector_count(rays), true);
     for (int v = 0; v < packet_vector_count(rays); v++) {
         const Hit *hit = &hits[v];
         Vec3 direction = rays->rays[v].direction, normal = hit->normal;

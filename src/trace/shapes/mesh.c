@@ -44,7 +44,8 @@ static void mesh_shape_occluded(const Shape *self, const Packet *packet, mask *o
 
 /** @return A packet of one vector of rays. @param limit Largest distance. */
 static Packet packet_of_vector(const Ray *ray, mask active, real limit) {
-    Packet packet = {.rays = {*ray}, .limit = {limit}, .vector_count = 1, .wants_points = true};
+    Packet packet = {.rays = {*ray}, .limit = {limit}};
+    packet_init(&packet, 1, true);
     packet.active[0] = active;
     return packet;
 }

@@ -290,9 +290,7 @@ static Packet transformed_packet_to_local(const TransformedShape *self, const Pa
                                           const real *limits, wide *skipped) {
     Aabb box = aabb_splat(self->bounds);
     Packet local_packet;
-    local_packet.wants_points = packet->wants_points;
-    local_packet.has_beam = false;
-    local_packet.vector_count = packet_vector_count(packet);
+    packet_init(&local_packet, packet_vector_count(packet), packet->wants_points);
     for (int v = 0; v < packet_vector_count(packet); v++) {
         const Ray *ray = &packet->rays[v];
         LocalRay local_ray = {*ray, wide_of(0)};

@@ -143,15 +143,14 @@ Beam camera_packet_beam(const Camera *camera, const PixelGrid *grid, PixelJitter
 
 void camera_generate_rays(const Camera *camera, const PixelGrid *grid, PixelJitter jitter,
                           int index, CameraRun *run, Packet *packet) {
+    packet_init(packet, PACKET_VECTORS, true);
     // A beam of one ray would serve nothing.
     packet->has_beam = LANES > 1 && !grid->selected;
     packet->only_shape = NULL;
-    packet->vector_count = PACKET_VECTORS;
     if (packet->has_beam) {
         packet->beam = camera_packet_beam(camera, grid, jitter, index);
     }
     jitter = camera_shifted(camera, jitter);
-    packet->wants_points = true;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         packet->limit[v] = real_of(INFINITE);
     }

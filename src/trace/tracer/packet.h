@@ -83,6 +83,13 @@ INLINE int packet_vector_count(const Packet *packet) {
     return PACKET_VECTORS == 1 ? 1 : packet->vector_count;
 }
 
+/** Begins a packet without a beam. @param vector_count, wants_points See #Packet. */
+INLINE void packet_init(Packet *packet, int vector_count, bool wants_points) {
+    packet->vector_count = vector_count;
+    packet->wants_points = wants_points;
+    packet->has_beam = false;
+}
+
 /** A packet on its path from the camera through the scene. */
 typedef struct RayState {
     Packet packet;                       /**< The rays; their directions are unit vectors. */

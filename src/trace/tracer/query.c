@@ -6,9 +6,7 @@
 
 /** Begins a packet without active rays. */
 static void packet_clear(Packet *packet) {
-    packet->wants_points = true;
-    packet->has_beam = false;
-    packet->vector_count = PACKET_VECTORS;
+    packet_init(packet, PACKET_VECTORS, true);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Vec3 zero = {real_of(0), real_of(0), real_of(0)};
         packet->rays[v] = (Ray){zero, zero, zero};

@@ -113,9 +113,7 @@ static inline void packet_gather(const RayColumns *columns, int interior_count, 
                                  unsigned count, GatheredPacket *gathered) {
     Packet *packet = &gathered->rays.packet;
     gathered->rays.interior = gathered->interior;
-    packet->wants_points = true;
-    packet->has_beam = false;
-    packet->vector_count = (int)((count + LANES - 1) / LANES);
+    packet_init(packet, (int)((count + LANES - 1) / LANES), true);
     for (int v = 0; v < packet_vector_count(packet); v++) {
         unsigned done = (unsigned)v * LANES, fill = count - done;
         packet->active[v] = fill >= LANES ? mask_of(true) : mask_of_bits((1u << fill) - 1);

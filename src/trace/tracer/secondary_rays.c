@@ -12,9 +12,7 @@ INLINE void secondary_rays_init(SecondaryRays *secondary, RayType type, const Pa
                                 const InteriorList *interior) {
     secondary->type = type;
     secondary->rays.interior = interior;
-    secondary->rays.packet.wants_points = true;
-    secondary->rays.packet.has_beam = false;
-    secondary->rays.packet.vector_count = packet_vector_count(parent);
+    packet_init(&secondary->rays.packet, packet_vector_count(parent), true);
     secondary->rays.packet.context = parent->context;
     secondary->rays.packet.context.bounce++;
     secondary->rays.packet.context.type = type;

@@ -344,6 +344,10 @@ static void build_crowd(Scene *scene, Placement placement) {
         Vec3d at = {-1.2 + 0.45 * i, 0.2 + 0.15 * (i % 3), 0.3 - 0.2 * (i % 2)};
         add_placed_sphere(scene, placement, at, 0.08 + 0.02 * i);
     }
+    CylinderParameters rod = {placed_point(placement, (Vec3d){-1, 0.1, 0}),
+                              placed_point(placement, (Vec3d){0.5, 1.2, 0.2}),
+                              placement.scale * 0.06, true};
+    add_shape(scene, "cylinder", &rod);
     use_material(scene, glass);
     add_turned_box(scene, placement, (Vec3d){-0.3, -0.2, -0.9}, (Vec3d){0.4, 0.1, 0.9});
 }

@@ -51,15 +51,6 @@ static void *shapes_allocate(size_t size) {
     return memory ? memset(memory, 0, whole) : NULL;
 }
 
-/** @return Whether a box is finite along all axes. */
-static bool aabbs_is_finite(const Aabbs *box) {
-    bool is_finite = true;
-    for (int axis = 0; axis < 3; axis++) {
-        is_finite = is_finite && box->low[axis] > -INFINITE && box->high[axis] < INFINITE;
-    }
-    return is_finite;
-}
-
 /** @return Whether so many shapes have a BVH of their own that the BVH of the set contains them,
  * too. Else a whole packet is intersected with each of them. */
 static bool bvh_takes_instances(const ShapeSet *set) {
@@ -76,7 +67,7 @@ static bool bvh_takes_instances(const ShapeSet *set) {
  *  their own can be. */
 static bool shape_goes_in_bvh(const Shape *shape, bool include_instances) {
     Aabbs box = shape->class->bounds(shape);
-    return aabbs_is_finite(&box) && (include_instances || !shape_has_bvh(shape));
+    return aabbs_is_bounded(&box) && (include_instances || !shape_has_bvh(shape));
 }
 
 /** @return Number of shapes that can be in the BVH. */

@@ -36,15 +36,6 @@ static bool shape_is_opaque(const Shape *shape, const void *context) {
     return !shape_is_transparent(shape, context);
 }
 
-/** @return Whether a box is bounded. */
-static bool aabbs_is_bounded(const Aabbs *box) {
-    bool is_bounded = true;
-    for (int axis = 0; axis < 3; axis++) {
-        is_bounded = is_bounded && box->low[axis] > -INFINITE && box->high[axis] < INFINITE;
-    }
-    return is_bounded;
-}
-
 /** @return Whether a shape crosses a diagonal of a bounded box. A plane that meets the box does. */
 static bool shape_crosses_diagonal(const Shape *shape, const Aabbs *box) {
     bool crosses = false;

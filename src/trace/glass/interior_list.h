@@ -130,15 +130,6 @@ INLINE real dielectrics_ior(const Dielectrics *dielectrics, integer shape_index)
 bool dielectrics_init(Dielectrics *dielectrics, const Scene *scene, const ShapeSet *shapes,
                       const TraceSettings *settings);
 
-/** @return Whether two boxes overlap. */
-static inline bool aabbs_overlap(const Aabbs *a, const Aabbs *b) {
-    bool overlap = true;
-    for (int axis = 0; axis < 3; axis++) {
-        overlap = overlap && a->low[axis] <= b->high[axis] && b->low[axis] <= a->high[axis];
-    }
-    return overlap;
-}
-
 /** Sets #Dielectrics.tinted and #Dielectrics.may_override: whether the bounding box of a tinted
  * shape overlaps that of a later transparent one. @return Whether memory sufficed. */
 bool dielectrics_find_tints(Dielectrics *dielectrics, const Material *materials,

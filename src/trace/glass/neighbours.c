@@ -16,25 +16,14 @@ enum { NEIGHBOUR_SHAPES_MAXIMUM = 512 };
 
 /* --- the neighbours of a shape ---------------------------------------------------------------- */
 
-/** @return The largest coordinate of a box. */
-static scalar aabbs_largest(const Aabbs *box) {
-    scalar largest = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        largest = -box->low[axis] > largest ? -box->low[axis] : largest;
-        largest = box->high[axis] > largest ? box->high[axis] : largest;
-    }
-    return largest;
-}
-
 /** @return The neighbours of a transparent shape. */
 static Neighbours neighbours_of(const Shape *glass, const ShapeSet *all) {
-    Neighbours neighbours = {.glass = glass, .box = glass->class->bounds(glass)};
-    neighbours.slack = NEIGHBOUR_ROUNDINGS * AABB_ROUNDOFF * aabbs_largest(&neighbours.box);
-    for (int axis = 0; axis < 3; axis++) {
-        // Once for the segments, and once for their own slack.
-        neighbours.box.low[axis] -= 2 * neighbours.slack;
-        neighbours.box.high[axis] += 2 * neighbours.slack;
-    }
+    const Aabbs bounds = glass->class->bounds(glass);
+    const scalar slack = NEIGHBOUR_ROUNDINGS * AABB_ROUNDOFF * aabbs_largest(&bounds);
+    // Twice the slack: once for the segments, and once for that of their own boxes.
+    Neighbours neighbours = {.box = aabbs_enlarged(bounds, 2 * slack), .slack = slack};
+    // All shapes are neighbours of unbounded glass.
+    neighbours.glass = aabbs_is_bounded(&bounds) ? glass : NULL;
     for (size_t i = 0; neighbours.glass && i < all->count; i++) {
         const Shape *shape = all->shapes[i];
         Aabbs box = shape_exceeds_box(shape) ? aabbs_infinite() : shape->class->bounds(shape);

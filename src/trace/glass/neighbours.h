@@ -2,11 +2,11 @@
  * @file
  * @brief What rays meet inside of a transparent shape, and at its wall.
  *
- * Nearly half of the rays of a scene with glass are inside of it. Such a ray starts in the bounding
- * box of its shape, and a box is convex: what the ray meets before the wall has a bounding box that
- * overlaps this one. Mostly that is the shape alone. The same holds for the short segment across a
- * wall. A ray that starts or ends beside the box is tested against all shapes, so the hits are the
- * same to the bit.
+ * What enters glass leaves it, so many rays of such a scene are inside. A ray inside starts in the
+ * bounding box of its shape, and a box is convex: what it meets before the wall has a bounding box
+ * that overlaps this one. Mostly that is the shape alone. The same holds for the short segment
+ * across a wall. A ray that starts or ends beside the box is tested against all shapes, so the hits
+ * are the same to the bit.
  */
 #ifndef DIOPTRE_TRACE_GLASS_NEIGHBOURS_H
 #define DIOPTRE_TRACE_GLASS_NEIGHBOURS_H
@@ -24,8 +24,8 @@ typedef struct Neighbour {
 
 /** What rays can meet in the bounding box of a transparent shape. */
 struct Neighbours {
-    const Shape *glass; /**< The transparent shape. NULL: the shape is opaque, or has too many
-                             neighbours. */
+    const Shape *glass; /**< The transparent shape. NULL: the shape is opaque or unbounded, or has
+                             too many neighbours. */
     Aabbs box;          /**< Its bounding box, with twice #slack on all sides. */
     scalar slack;       /**< Room for rounding errors and ray offsets, by which the boxes of
                              segments of rays are enlarged, scene units. */

@@ -175,16 +175,8 @@ INLINE bool light_sample_is_clear(const ShapeSet *shapes, const Shape *excluded,
     return !shape_set_may_meet(shapes, intervals, excluded);
 }
 
-/** @return Whether transparent shapes may take light from shadow rays. Not inlined: scenes without
- *  them need none of it. @param intervals Those of the rays; NULL: not known. */
-static __attribute__((noinline)) bool light_sample_may_meet_glass(const ShapeSet *glass,
-                                                                  const PacketIntervals *intervals,
-                                                                  const Shape *excluded) {
-    return glass->count > 0 && (!intervals || shape_set_may_meet(glass, intervals, excluded));
-}
-
-/** Sets the transmittance of all shadow rays to 1. Not inlined, either. */
-static __attribute__((noinline)) void light_sample_set_clear(LightSample *sample) {
+/** Sets the transmittance of all shadow rays to 1. */
+INLINE void light_sample_set_clear(LightSample *sample) {
     for (int v = 0; v < packet_vector_count(&sample->shadow_rays); v++) {
         sample->transmittance[v] = (Rgb){real_of(1), real_of(1), real_of(1)};
     }
@@ -204,8 +196,8 @@ static void light_sample_trace(const ShapeSet *shapes, const Light *light, const
     PacketIntervals intervals;
     bool has_intervals = sample->target && LANES > 1;
     bool is_clear = sample->target && light_sample_is_clear(opaque, excluded, sample, &intervals);
-    bool may_meet_glass =
-        glass && light_sample_may_meet_glass(glass, has_intervals ? &intervals : NULL, excluded);
+    bool may_meet_glass = glass && glass->count > 0 &&
+                          !(has_intervals && !shape_set_may_meet(glass, &intervals, excluded));
     if (sample->target &&
         (!is_clear || may_meet_glass || light->methods || surface->packet->context.recorders)) {
         light_sample_aim(sample);

@@ -312,6 +312,18 @@ static inline Aabbs aabbs_padded(Aabbs box) {
 /** @return A box around two corners, by #aabbs_padded. */
 Aabbs aabbs_from_corners(Vec3d low, Vec3d high);
 
+/** @return The largest coordinate of a box, without its sign. */
+scalar aabbs_largest(const Aabbs *box);
+
+/** @return A box enlarged on all sides. @param length By how much, scene units. */
+Aabbs aabbs_enlarged(Aabbs box, scalar length);
+
+/** @return Whether two boxes overlap. */
+bool aabbs_overlap(const Aabbs *a, const Aabbs *b);
+
+/** @return Whether a box is finite along all axes. */
+bool aabbs_is_bounded(const Aabbs *box);
+
 /** @return A box enlarged by the roundings of its largest coordinate: for shapes whose rounding
  *  errors along one axis come from the others. */
 Aabbs aabbs_padded_by_largest(Aabbs box);

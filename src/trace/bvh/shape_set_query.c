@@ -342,6 +342,10 @@ void shape_set_closest_hits(const ShapeSet *set, const Packet *packet, Hit *hits
     for (int v = 0; v < packet_vector_count(packet); v++) {
         hits[v] = hit_none(packet->limit[v]);
     }
+    if (LANES == 1) {
+        single_ray_closest_hit(set, packet, hits); // Inlined: a call per ray would show.
+        return;
+    }
     shape_set_update_hits(set, packet, hits);
 }
 

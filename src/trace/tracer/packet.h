@@ -85,7 +85,9 @@ INLINE int packet_vector_count(const Packet *packet) {
 
 /** Begins a packet without a beam. @param vector_count, wants_points See #Packet. */
 INLINE void packet_init(Packet *packet, int vector_count, bool wants_points) {
-    packet->vector_count = vector_count;
+    if (PACKET_VECTORS > 1) { // See packet_vector_count().
+        packet->vector_count = vector_count;
+    }
     packet->wants_points = wants_points;
     packet->has_beam = false;
 }

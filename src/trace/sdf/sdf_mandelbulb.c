@@ -17,13 +17,14 @@ typedef struct Complex {
 #define LN_OF_2                                                                                    \
     ((scalar)0x1.62e42fefa39efp-1 + (scalar)0x1.abc9e3b39803fp-56 + (scalar)0x1.7b57a079a1934p-111)
 
-/** @return The highest binary digit of a number. */
+/** The power of nearly every Mandelbulb: loops over its digits are unrolled. */
+#define USUAL_POWER 8
+
+/** @return The highest binary digit of a number; known to the compiler where the number is. @param
+ * n From 1. */
 static inline int highest_bit(int n) {
-    int bit = 1;
-    while (bit <= n / 2) {
-        bit *= 2;
-    }
-    return bit;
+    const int top = 31; // Of 32 bits.
+    return 1 << (top - __builtin_clz((unsigned)n));
 }
 
 /** @return a times b. @param square That of w. */
@@ -156,9 +157,10 @@ INLINE real mandelbulb_orbit_distance(const MandelbulbOrbit *orbit, real length,
     return real_max(estimate, length - operands[2]);
 }
 
-int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
-                             int count, real *distances) {
-    const int n = (int)operands[0], iterations = (int)operands[1];
+/** #sdf_mandelbulb_distances for a power and a number of vectors that may be constants. */
+INLINE int mandelbulb_distances(const scalar *operands, int n, const Vec3 *points,
+                                const mask *active, int count, real *distances) {
+    const int iterations = (int)operands[1];
     const real escape_square = real_of(operands[4] * operands[4]);
     MandelbulbOrbit orbits[SDF_VECTORS_MAXIMUM];
     real lengths[SDF_VECTORS_MAXIMUM];
@@ -174,6 +176,9 @@ int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const m
     for (; done < iterations && any(any_iterating); done++) {
         any_iterating = mask_of(false);
         for (int v = 0; v < count; v++) {
+            if (!any(iterating[v])) {
+                continue;
+            }
             mandelbulb_orbit_step(&orbits[v], points[v], n, iterating[v]);
             iterating[v] = iterating[v] & (orbits[v].square < escape_square);
             any_iterating |= iterating[v];
@@ -183,6 +188,18 @@ int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const m
         distances[v] = mandelbulb_orbit_distance(&orbits[v], lengths[v], operands);
     }
     return done;
+}
+
+int sdf_mandelbulb_distances(const scalar *operands, const Vec3 *points, const mask *active,
+                             int count, real *distances) {
+    const int n = (int)operands[0];
+    if (n != USUAL_POWER) {
+        return mandelbulb_distances(operands, n, points, active, count, distances);
+    }
+    if (count != MARCH_VECTORS) {
+        return mandelbulb_distances(operands, USUAL_POWER, points, active, count, distances);
+    }
+    return mandelbulb_distances(operands, USUAL_POWER, points, active, MARCH_VECTORS, distances);
 }
 
 /** Step of the central differences for the gradient: the fractal has details of every size, and the

@@ -381,12 +381,9 @@ bool sphere_trace_run(const SphereTracer *tracer, const Ray *ray, mask active, r
 
 #if LANES > 1
 
-enum {
-    MARCH_VECTORS = 2, /**< Vectors that step in turn or together: the processor begins the step of
-                          one before that of the other ends. Three were slower (measured). */
-    MARCH_FREE_LANES = LANES / 2 /**< Finished rays of a vector from which on others take their
-                                      places: a quarter or three quarters were slower (measured). */
-};
+/** Finished rays of a vector from which on others take their places: a quarter or three quarters
+ *  were slower (measured). */
+enum { MARCH_FREE_LANES = LANES / 2 };
 
 /** The rays of a packet while they are traced. */
 typedef struct MarchPacket {

@@ -60,7 +60,7 @@ scene 'camera {}\ndistance.sphere {}:translate{0/0, 0, 0}'; bad 2 'finite' 'fiel
 scene 'camera {}\ndistance.sphere {}:scale(0)'; bad 2 'scale must be' 'field scaled to nothing'
 scene 'camera {}\ndistance.sphere {}:turn{0, 0, 0}'; bad 2 'unknown word `field:turn`' 'field that cannot turn'
 scene 'camera {}\ndistance.spere {}'; bad 2 'distance.sphere' 'unknown field, with the nearest'
-scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 14 do\nf = distance.union(f, f)\nend\nsdf { f }'; bad 4 'made of 4096' 'ten thousand fields'
+scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 14 do\nf = distance.union(f, f)\nend\nsdf { f }'; bad 4 'made of at most 4096 fields' 'ten thousand fields'
 scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 99 do\nf = f:translate{1, 0, 0}\nend\nsdf { f }'; bad 4 '64 deep' 'a hundred fields in one another'
 scene 'camera {}\ndistance.sphere { radius = 0 }'; bad 2 'radius must be' 'ball of no size'
 scene 'camera {}\ndistance.torus { minor = 0 }'; bad 2 'minor must be' 'ring of no thickness'
@@ -75,9 +75,9 @@ scene 'camera {}\ndistance.sphere {}:repeat_every{0/0, 1, 1}'; bad 2 'finite' 'c
 scene 'camera {}\ndistance.sphere {}:repeat_every{3, 3, 3}:repeat_every{2, 2, 2}'; bad 2 'reaches inf' 'copies without end of copies without end'
 scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 60 do\nf = f:scale(1e-5)\nend'; bad 4 'becomes 2e-20 long' 'ball scaled to nothing, bit by bit'
 scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 60 do\nf = f:scale(1e5)\nend'; bad 4 'reaches 1e\+20' 'ball scaled beyond all numbers'
-scene 'camera {}\nlocal f = distance.sphere {}\nlocal all = {}\nfor i = 1, 10000 do all[i] = f end\nsdf { distance.union(table.unpack(all)) }'; bad 5 'made of 4096' 'union of ten thousand'
-scene 'camera {}\nlocal f = distance.sphere {}\nlocal g = f\nfor i = 1, 10000 do\nf = distance.union(g, f)\nend'; bad 5 'made of 4096' 'ten thousand unions in one another'
-scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 10000 do\nf = f:round(1e-6)\nend'; bad 4 'made of 4096' 'a ball rounded ten thousand times'
+scene 'camera {}\nlocal f = distance.sphere {}\nlocal all = {}\nfor i = 1, 10000 do all[i] = f end\nsdf { distance.union(table.unpack(all)) }'; bad 5 'made of at most 4096 fields' 'union of ten thousand'
+scene 'camera {}\nlocal f = distance.sphere {}\nlocal g = f\nfor i = 1, 10000 do\nf = distance.union(g, f)\nend'; bad 5 'made of at most 4096 fields' 'ten thousand unions in one another'
+scene 'camera {}\nlocal f = distance.sphere {}\nfor i = 1, 10000 do\nf = f:round(1e-6)\nend'; bad 4 'made of at most 4096 fields' 'a ball rounded ten thousand times'
 scene 'camera {}\nsdf { function(x, y, z)\nif x > 0 then return y end return z end }'; bad 3 'cannot compare' 'function that compares'
 scene 'camera {}\nsdf { function(x, y, z)\nreturn math.log(x) end }'; bad 3 'math.log cannot be part' 'function with a logarithm'
 scene 'camera {}\nsdf { function(x, y, z) end }'; bad 2 'must return a number' 'function of nothing'
@@ -144,6 +144,7 @@ same "$work/old.bmp" "$work/kept.bmp" 'full disk: the old picture is whole'
 expect 1 'none/o.bmp' 'no such folder' "$dioptre" render "$work/s.lua" -o "$work/none/o.bmp"
 expect 2 'bmp' 'unknown ending' "$dioptre" render "$work/s.lua" -o "$work/o.xyz"
 expect 1 'standard output' 'full disk behind standard output' sh -c "exec $dioptre info $work/s.lua >/dev/full"
+expect 1 'standard output' 'full disk behind the help' sh -c "exec $dioptre --help >/dev/full"
 
 # SIGINT: what is finished is kept, status 130. The picture is large enough to be caught at.
 scene 'camera { position = {0, 0, 6} }\nimage { width = 1600, height = 1200, samples = 64 }\nlight {}\nsphere {}'

@@ -73,6 +73,7 @@ same "$work/a.bmp" "$work/c.bmp" 'a scene from standard input'
 expect 0 '' 'one pixel' "$dioptre" render "$box" -o "$work/p.bmp" -s 1x1
 expect 0 '' 'render with one sample' "$dioptre" render "$box" -o "$work/one.bmp" -s 160x120 --samples 1
 expect 1 '' 'compare different' "$dioptre" compare "$work/a.bmp" "$work/one.bmp" --map "$work/map.bmp"
+expect 2 'map.svg' 'compare knows the name of the map before it reads' "$dioptre" compare none.bmp none.bmp --map "$work/map.svg"
 [ -s "$work/map.bmp" ] && ok 'compare writes the map' || fail 'compare writes the map'
 expect 0 '' 'compare within a threshold' "$dioptre" compare "$work/a.bmp" "$work/one.bmp" --threshold 255
 expect 3 'sizes differ' 'compare sizes' "$dioptre" compare "$work/a.bmp" "$work/p.bmp"

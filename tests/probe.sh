@@ -122,6 +122,8 @@ holds "$work/out" '^  refraction +n1 sin a = n2 sin b: 1 × sin [0-9.]+° = 1.5 
 holds "$work/out" '^  point +o \+ t d = \(.*\) \+ [0-9.]+ \(.*\) = \(.*\)$' 'its point'
 holds "$work/out" '^  = ray 4 ' 'its sum'
 [ "$(sed -n 's/.*height="\([0-9]*\).*/\1/p' "$work/ray.svg" | head -1)" = 1110 ] && ok 'formulas below it' || fail 'no formulas below it'
+"$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 4 --json >"$work/out"
+[ "$(grep -c '^{"id": *4,' "$work/out")" = 1 ] && [ "$(wc -l <"$work/out")" = 1 ] && ok 'one ray as JSON' || fail 'not one ray as JSON'
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 0 >"$work/out"
 # Fresnel's formula again, from the angle that is told.
 awk '/cos a = /{ sub(/.*cos a = −d·n = /, ""); sub(/,.*/, ""); c = $0 }

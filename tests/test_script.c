@@ -261,7 +261,7 @@ static void test_wrong_types(void **state) {
         {"sphere { tint = '#ff000' }", 1, "not \"#ff000\""},
         {"sphere { tint = 'red' }", 1, "tint must be a colour such as \"#ff8000\""},
         {"sphere { tint = '#ff00gg' }", 1, "tint must be a colour"},
-        {"sphere { spot = {1} }", 1, "spot must be two numbers {u, v}; there are 1 things"},
+        {"sphere { spot = {1} }", 1, "spot must be two numbers {u, v}; there is 1 thing"},
         {"sphere { spot = 1 }", 1, "spot must be two numbers {u, v}, not a number"},
         {"sphere { scale = 'big' }", 1,
          "scale must be one number, or three numbers {x, y, z}, not a string"},

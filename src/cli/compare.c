@@ -62,6 +62,9 @@ static void compare_pictures(const Picture *a, const Picture *b, const Options *
 }
 
 void cli_compare(const Options *options, Error *error) {
+    if (options->map && !image_file_check(options->map, error)) {
+        return;
+    }
     Picture a = {0}, b = {0};
     if (image_file_read(options->arguments[0], &a, error) &&
         image_file_read(options->arguments[1], &b, error)) {

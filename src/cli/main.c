@@ -114,10 +114,6 @@ static void run_command(const Command *command, const Options *options, Error *e
         }
     }
     command->run(options, error);
-    // The output must arrive: a full disk behind a redirection is an error, too.
-    if (fflush(stdout) != 0 && error->status == STATUS_OK) {
-        error_set(error, STATUS_FAILED, "cannot write to standard output");
-    }
 }
 
 /** @return Whether a first word may name a scene: there is such a file, it is standard input, or it
@@ -163,6 +159,10 @@ static void parse_and_run(int argc, char **argv, Error *error) {
         run_command(command, &options, error);
     } else if (argc > 1 || !cli_browse(error)) {
         error_set(error, STATUS_USAGE, "which command? (--help names them)");
+    }
+    // The output must arrive: a full disk behind a redirection is an error, too.
+    if (fflush(stdout) != 0 && error->status == STATUS_OK) {
+        error_set(error, STATUS_FAILED, "cannot write to standard output");
     }
 }
 

@@ -102,6 +102,8 @@ static void write_ray(JsonWriter *json, const ProbeReport *report, size_t index)
 void probe_print_json(const ProbeReport *report) {
     JsonWriter json = {.stream = stdout};
     for (size_t i = 0; i < report->tree->count; i++) {
-        write_ray(&json, report, i);
+        if (report->ray < 0 || i == (size_t)report->ray) {
+            write_ray(&json, report, i);
+        }
     }
 }

@@ -90,7 +90,7 @@ static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error
                          SDF_DEPTH_MAXIMUM);
     }
     if (sdf->node_count >= SDF_NODES_MAXIMUM) {
-        return error_set(error, STATUS_SCENE, "a field may be made of %d at most",
+        return error_set(error, STATUS_SCENE, "a field may be made of at most %d fields",
                          SDF_NODES_MAXIMUM);
     }
     sdf_append(out, node, sdf);
@@ -383,7 +383,7 @@ static int deepest_sdf(const Sdf *const *sdfs, int count) {
 bool sdf_combine(Sdf *out, SdfCombination combination, const Sdf *const *sdfs, int count,
                  double radius, Error *error) {
     if (sdf_combined_capacity(sdfs, count) > SDF_NODES_MAXIMUM) {
-        return error_set(error, STATUS_SCENE, "a field may be made of %d at most",
+        return error_set(error, STATUS_SCENE, "a field may be made of at most %d fields",
                          SDF_NODES_MAXIMUM);
     }
     // The deepest field first: a chain of unions then does not become deeper.

@@ -196,7 +196,7 @@ static int call_round(lua_State *L) {
     const Sdf *sdf = check_sdf(L, 1, "round");
     read_value(L, 2, &sdf_round_parameter, &radius);
     if (sdf->node_count >= SDF_NODES_MAXIMUM) {
-        return lua_error_tr(L, "a field may be made of %d at most", SDF_NODES_MAXIMUM);
+        return lua_error_tr(L, "a field may be made of at most %d fields", SDF_NODES_MAXIMUM);
     }
     sdf_round(push_sdf(L, sdf->node_count + 1), sdf, radius);
     return 1;

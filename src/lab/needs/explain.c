@@ -116,7 +116,7 @@ static void append_depth(TextBuffer *text, const Needs *needs) {
                       needs->shallower_trial.off, needs->shallower_trial.max_steps);
     }
     if (needs->scene_depth >= 0 && needs->scene_depth < needs->settings.depth) {
-        append_format(text, "; the scene's own %d leaves %zu off, by up to %.3g",
+        append_format(text, "; the depth %d that is set leaves %zu off, by up to %.3g",
                       needs->scene_depth, needs->scene_depth_trial.off,
                       needs->scene_depth_trial.max_steps);
     }

@@ -451,6 +451,10 @@ static void test_notes(void **state) {
         {"function(x, y, z) return 2 * x end", "scene.lua:3: this field grows by 2 per unit"},
         {"function(x, y, z) return length(x // 1, y, z) - 1 end",
          "scene.lua:3: this field jumps by "},
+        {"function(x, y, z) return math.sqrt(-1 - x * x) end",
+         "scene.lua:3: this field is a number at none of the points that were tried"},
+        {"function(x, y, z) return x / 0 end",
+         "scene.lua:3: this field is a number at none of the points that were tried"},
     };
     for (size_t i = 0; i < sizeof notes / sizeof *notes; i++) {
         char text[1024];

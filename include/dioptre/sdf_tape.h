@@ -148,11 +148,12 @@ bool sdf_tape_find_bounds(Sdf *field);
 
 /** How fast a tape grows. */
 typedef struct SdfTapeSlope {
-    double slope;  /**< Largest slope that was found: |f(p) - f(q)| / |p - q|. */
-    Vec3d from;    /**< Point p where it was found. */
-    Vec3d to;      /**< Point q. */
-    double jump;   /**< Largest jump that was found: f(p) - f(q) for p next to q; 0: none. */
-    Vec3d jump_at; /**< Point where it was found. */
+    double slope;   /**< Largest slope that was found: |f(p) - f(q)| / |p - q|. */
+    Vec3d from;     /**< Point p where it was found. */
+    Vec3d to;       /**< Point q. */
+    double jump;    /**< Largest jump that was found: f(p) - f(q) for p next to q; 0: none. */
+    Vec3d jump_at;  /**< Point where it was found. */
+    bool is_number; /**< Whether the tape is a finite number anywhere that was tried. */
 } SdfTapeSlope;
 
 /** Slopes up to here are those of a distance; what is above 1 are roundings. */

@@ -27,9 +27,10 @@ enum { PAIRS = 1000, PAIRS_NEARBY = 500 };
 
 /** A pair of points. */
 typedef struct SdfPair {
-    Vec3d p;      /**< First point. */
-    Vec3d q;      /**< Second point. */
-    double slope; /**< |f(p) - f(q)| / |p - q|. */
+    Vec3d p;        /**< First point. */
+    Vec3d q;        /**< Second point. */
+    double slope;   /**< |f(p) - f(q)| / |p - q|. */
+    bool is_number; /**< Whether the tape is a finite number at both. */
 } SdfPair;
 
 /** @return A random number, 0 to 1. Steele, Lea, Flood, *Fast Splittable Pseudorandom Number
@@ -75,7 +76,7 @@ static SdfPair pair_of(const SdfNode *tape, Vec3d p, Vec3d q) {
     double length = vec3d_length(vec3d_subtract(q, p));
     double change = fabs(sdf_tape_value(tape, p) - sdf_tape_value(tape, q));
     bool is_known = length > 0 && isfinite(change);
-    return (SdfPair){p, q, is_known ? change / length : 0};
+    return (SdfPair){p, q, is_known ? change / length : 0, isfinite(change)};
 }
 
 /** @return A pair in the region. @param p Its first point. @param distance Largest offset of its
@@ -103,7 +104,7 @@ static SdfPair pair_along_gradient(const SdfNode *tape, const PairRegion *region
                       central_change(tape, p, (Vec3d){0, 0, length})};
     double change = vec3d_length(gradient);
     return change > 0 ? pair_of(tape, p, vec3d_add(p, vec3d_scale(gradient, length / change)))
-                      : (SdfPair){p, p, 0};
+                      : (SdfPair){p, p, 0, false};
 }
 
 /** @return The steeper half of a pair, and of that again, until the points are next to each other
@@ -124,6 +125,7 @@ static SdfPair steepest_part(const SdfNode *tape, SdfPair pair) {
 
 /** Examines a pair. @param[in,out] found What was found so far. */
 static void examine_pair(const SdfNode *tape, SdfPair pair, SdfTapeSlope *found) {
+    found->is_number = found->is_number || pair.is_number;
     if (pair.slope > fmax(found->slope, SDF_TAPE_SLOPE_MAXIMUM)) {
         pair = steepest_part(tape, pair);
     }
@@ -132,7 +134,9 @@ static void examine_pair(const SdfNode *tape, SdfPair pair, SdfTapeSlope *found)
         found->jump_at = jump > found->jump ? pair.p : found->jump_at;
         found->jump = fmax(found->jump, jump);
     } else if (pair.slope > found->slope) {
-        *found = (SdfTapeSlope){pair.slope, pair.p, pair.q, found->jump, found->jump_at};
+        found->slope = pair.slope;
+        found->from = pair.p;
+        found->to = pair.q;
     }
 }
 

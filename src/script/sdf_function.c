@@ -429,6 +429,12 @@ static void correct_slope(lua_State *L, int index, Sdf *field) {
     const SdfTapeSlope found = sdf_tape_normalize(field);
     const double factor = field->nodes[0].operands[SDF_TAPE_FACTOR];
     char message[ERROR_MESSAGE_SIZE];
+    if (!found.is_number) {
+        add_note(
+            L, index,
+            gettext("this field is a number at none of the points that were tried, so rays find "
+                    "no surface: the root of a number below 0, or a division by 0?"));
+    }
     if (factor != 1) {
         snprintf(message, sizeof message,
                  gettext("this field grows by %.3g per unit at (%.3g, %.3g, %.3g), so it is no "

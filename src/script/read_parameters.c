@@ -99,10 +99,9 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
     lua_Integer count = count_entries(L, index);
     for (int i = 0; i < list->count; i++) {
         if (lua_geti(L, index, i + 1) == LUA_TNIL || count > list->count) {
-            const char *message =
-                ngettext("%s must be %s; there is %lld thing between the braces",
-                         "%s must be %s; there are %lld things between the braces",
-                         (unsigned long)count);
+            const char *message = ngettext(
+                "%s must be %s; there is %lld thing between the braces",
+                "%s must be %s; there are %lld things between the braces", (unsigned long)count);
             lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count);
         }
         if (lua_type(L, -1) != LUA_TNUMBER) {

@@ -55,7 +55,7 @@ static bool shape_crosses_diagonal(const Shape *shape, const Aabbs *box) {
 /** @return Whether an opaque shape may touch a transparent one. */
 static bool shapes_may_touch(const Shape *opaque, const Shape *transparent) {
     Aabbs box = opaque->class->bounds(opaque), glass = transparent->class->bounds(transparent);
-    bool is_plane = !opaque->class->extension && !aabbs_is_bounded(&box);
+    bool is_plane = opaque->class == &plane_class;
     if (!is_plane || !aabbs_is_bounded(&glass)) {
         return aabbs_overlap(&box, &glass);
     }

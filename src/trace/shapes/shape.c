@@ -56,6 +56,8 @@ Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int in
     if (!scene_shape->transform) {
         return inner;
     }
-    base.class = shape_has_bvh(inner) ? &transformed_bvh_class : &transformed_class;
+    base.class = shape_has_bvh(inner)     ? &transformed_bvh_class
+                 : shape_has_steps(inner) ? &transformed_field_class
+                                          : &transformed_class;
     return shape_init(memory, base, &(TransformedParameters){scene_shape->transform, inner});
 }

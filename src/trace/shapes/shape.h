@@ -172,7 +172,7 @@ static inline TextureUv shape_texture_uv(const Shape *shape, const Hit *hit, mas
                : (TextureUv){real_of(0), real_of(0), mask_of(false), mask_of(false)};
 }
 
-/** @return Whether rays step through a shape. Transformed shapes may be fields, too. */
+/** @return Whether rays step through a shape: a field, or a transformed one. */
 static inline bool shape_has_steps(const Shape *shape) {
     return shape->class->extension && shape->class->extension->count_steps;
 }

@@ -265,9 +265,6 @@ static real transformed_count_steps(const Shape *self, const Ray *ray, mask acti
                                     MarchLog *log) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Shape *inner = transformed->inner;
-    if (!shape_has_steps(inner)) {
-        return real_of(0);
-    }
     LocalRay local = transformed_to_local(transformed, ray);
     real local_limit = narrow(widen(limit) - local.skipped);
     MarchLog counts = {0}; // A stretched sphere is none: its steps are counted, but not recorded.
@@ -349,8 +346,17 @@ static const ShapeExtension transformed_bvh_extension = {
     .occluded = transformed_occluded,
 };
 
-/** Around all other shapes. */
-static const ShapeExtension transformed_extension = {.count_steps = transformed_count_steps};
+/** Around a field. */
+static const ShapeExtension transformed_field_extension = {.count_steps = transformed_count_steps};
+
+const ShapeClass transformed_class = {
+    .size = sizeof(TransformedShape),
+    .init = transformed_init,
+    .is_hit = transformed_is_hit,
+    .is_occluding = transformed_is_occluding,
+    .bounds = transformed_bounds,
+    .texture_uv = transformed_texture_uv,
+};
 
 const ShapeClass transformed_bvh_class = {
     .size = sizeof(TransformedShape),
@@ -362,12 +368,12 @@ const ShapeClass transformed_bvh_class = {
     .extension = &transformed_bvh_extension,
 };
 
-const ShapeClass transformed_class = {
+const ShapeClass transformed_field_class = {
     .size = sizeof(TransformedShape),
     .init = transformed_init,
     .is_hit = transformed_is_hit,
     .is_occluding = transformed_is_occluding,
     .bounds = transformed_bounds,
     .texture_uv = transformed_texture_uv,
-    .extension = &transformed_extension,
+    .extension = &transformed_field_extension,
 };

@@ -20,4 +20,7 @@ extern const ShapeClass transformed_class;
 /** The class around shapes with their own BVH: #shape_has_bvh. */
 extern const ShapeClass transformed_bvh_class;
 
+/** The class around fields: #shape_has_steps. */
+extern const ShapeClass transformed_field_class;
+
 #endif

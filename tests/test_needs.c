@@ -66,6 +66,20 @@ static void test_path_hashes_agree(void **state) {
     }
 }
 
+/** Small pictures are sampled more densely: a few pixels would meet no edge and no black point. */
+static void test_sampling_cells(void **state) {
+    (void)state;
+    assert_int_equal(sampling_cell_of(1920, 1080), SAMPLING_CELL_MAXIMUM);
+    assert_int_equal(sampling_cell_of(320, 240), SAMPLING_CELL_MAXIMUM);
+    assert_int_equal(sampling_cell_of(160, 120), SAMPLING_CELL_MAXIMUM / 2);
+    assert_int_equal(sampling_cell_of(16, 12), 1);
+    const int cell = 1;
+    PixelSet all;
+    assert_true(pixel_set_init(&all, 16, 12, pixel_is_sampled, &cell, NULL));
+    assert_int_equal((int)all.count, 16 * 12);
+    pixel_set_deinit(&all);
+}
+
 /**
  * Path hashes of selected pixels equal those of the whole picture. They differ for different
  * shapes, faces and shadows.
@@ -75,7 +89,8 @@ static void test_path_hashes_differ(void **state) {
     Scene *scene = load_scene("scenes/box.lua");
     PixelSet all, some;
     assert_true(pixel_set_init(&all, WIDTH, HEIGHT, pixel_is_any, NULL, NULL));
-    assert_true(pixel_set_init(&some, WIDTH, HEIGHT, pixel_is_sampled, NULL, NULL));
+    const int cell = SAMPLING_CELL_MAXIMUM;
+    assert_true(pixel_set_init(&some, WIDTH, HEIGHT, pixel_is_sampled, &cell, NULL));
     assert_int_equal((int)some.count, WIDTH * HEIGHT / 64);
     SampledRender whole = render_all_pixels(scene, "f32x4", OFFSET_BOUND, &all);
     SampledRender part = render_all_pixels(scene, "f32x1", OFFSET_BOUND, &some);
@@ -399,6 +414,7 @@ static void test_ties_of_the_front(void **state) {
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_path_hashes_agree),
+                                       cmocka_unit_test(test_sampling_cells),
                                        cmocka_unit_test(test_path_hashes_differ),
                                        cmocka_unit_test(test_forecasts),
                                        cmocka_unit_test(test_depths),

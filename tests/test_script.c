@@ -262,6 +262,8 @@ static void test_wrong_types(void **state) {
         {"sphere { tint = 'red' }", 1, "tint must be a colour such as \"#ff8000\""},
         {"sphere { tint = '#ff00gg' }", 1, "tint must be a colour"},
         {"sphere { spot = {1} }", 1, "spot must be two numbers {u, v}; there is 1 thing"},
+        {"sphere { spot = {u = 1, v = 2} }", 1,
+         "spot must be two numbers {u, v}: the numbers alone, without names"},
         {"sphere { spot = 1 }", 1, "spot must be two numbers {u, v}, not a number"},
         {"sphere { scale = 'big' }", 1,
          "scale must be one number, or three numbers {x, y, z}, not a string"},

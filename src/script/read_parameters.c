@@ -97,6 +97,10 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
         read_type_error(L, index, row, list->expected);
     }
     lua_Integer count = count_entries(L, index);
+    if (count > 0 && lua_rawlen(L, index) == 0) {
+        lua_error_tr(L, "%s must be %s: the numbers alone, without names", row->name,
+                     gettext(list->expected));
+    }
     for (int i = 0; i < list->count; i++) {
         if (lua_geti(L, index, i + 1) == LUA_TNIL || count > list->count) {
             const char *message = ngettext(

@@ -100,6 +100,9 @@ static void show_legends(Window *window) {
     bool is_difference = is_difference_shown(window);
     const size_t count = legend_count(window);
     bool is_right = count == 1 && !window->settings_chart.is_open; // The chart lies at the right.
+    if (window->settings_chart.is_open) {
+        area.w -= (int)ceilf(settings_chart_panel_width((float)area.w));
+    }
     for (size_t i = 0; i < count; i++) {
         const Viewport *viewport = &window->viewports[i];
         Legend legend;

@@ -61,7 +61,8 @@ static bool pixel_is_in_timed_set(const void *context, int x, int y) {
 
 /** Is a #PixelTest: the pixels that are traced in quad. */
 static bool pixel_is_in_quad_set(const void *context, int x, int y) {
-    return pixel_is_sampled(context, x, y) && (x / 8 + y / 8) % 4 == 0;
+    const int cell = *(const int *)context;
+    return pixel_is_sampled(context, x, y) && (x / cell + y / cell) % 4 == 0;
 }
 
 /** Adds a setting. @return It, with the scene's own values. */
@@ -363,12 +364,12 @@ static bool measure_all(ChartMeasurement *measure, Error *error) {
 bool chart_measure(const Scene *scene, const RenderSettings *settings, const atomic_bool *stop,
                    Chart *chart, Error *error) {
     ChartMeasurement measure = {.scene = scene, .settings = settings, .stop = stop, .chart = chart};
-    int width = settings->width, height = settings->height;
+    int width = settings->width, height = settings->height, cell = sampling_cell_of(width, height);
     *chart = (Chart){.count = 0};
     bool is_done =
         pixel_set_init(&measure.timed_pixels, width, height, pixel_is_in_timed_set, NULL, error) &&
-        pixel_set_init(&measure.error_pixels, width, height, pixel_is_sampled, NULL, error) &&
-        pixel_set_init(&measure.quad_pixels, width, height, pixel_is_in_quad_set, NULL, error) &&
+        pixel_set_init(&measure.error_pixels, width, height, pixel_is_sampled, &cell, error) &&
+        pixel_set_init(&measure.quad_pixels, width, height, pixel_is_in_quad_set, &cell, error) &&
         ((measure.quad_pixels.count > 0 && measure.timed_pixels.count > 0) ||
          error_set(error, STATUS_USAGE, "a picture of %d x %d has too few pixels for a chart",
                    width, height)) &&

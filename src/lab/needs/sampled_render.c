@@ -14,8 +14,9 @@
 /* --- which pixels -------------------------------------------------------------------------------
  */
 
-/** Pixels along a side of a cell of which one pixel is sampled. */
-enum { SAMPLING_CELL = 8 };
+/** Fewest pixels that are sampled, as far as a picture has so many: those of 320 x 240. Fewer
+ * hardly meet the edges and black points that they are to find. */
+enum { SAMPLED_MINIMUM = 1200 };
 
 bool pixel_is_any(const void *context, int x, int y) {
     (void)context;
@@ -24,15 +25,22 @@ bool pixel_is_any(const void *context, int x, int y) {
     return true;
 }
 
+int sampling_cell_of(int width, int height) {
+    int cell = SAMPLING_CELL_MAXIMUM;
+    while (cell > 1 && (int64_t)width * height < (int64_t)SAMPLED_MINIMUM * cell * cell) {
+        cell /= 2;
+    }
+    return cell;
+}
+
 bool pixel_is_sampled(const void *context, int x, int y) {
-    (void)context;
-    uint64_t z =
-        ((uint64_t)(y / SAMPLING_CELL) << 32 | (uint64_t)(x / SAMPLING_CELL)) + 0x9E3779B97F4A7C15u;
+    const unsigned cell = (unsigned)*(const int *)context;
+    const unsigned column = (unsigned)x / cell, row = (unsigned)y / cell;
+    uint64_t z = ((uint64_t)row << 32 | column) + 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     z ^= z >> 31;
-    return x % SAMPLING_CELL == (int)(z % SAMPLING_CELL) &&
-           y % SAMPLING_CELL == (int)(z / SAMPLING_CELL % SAMPLING_CELL);
+    return (unsigned)x % cell == z % cell && (unsigned)y % cell == z / cell % cell;
 }
 
 /** Adds the pixels of a tile. */

@@ -38,8 +38,14 @@ bool pixel_set_init(PixelSet *pixels, int width, int height, PixelTest test, con
 /** Is a #PixelTest: all pixels. */
 bool pixel_is_any(const void *context, int x, int y);
 
-/** Is a #PixelTest: one pixel of each 8 by 8, at a pseudo-random position that is always the same.
- */
+/** Most pixels along a side of a cell of which one pixel is sampled. */
+enum { SAMPLING_CELL_MAXIMUM = 8 };
+
+/** @return Pixels along a side of such a cell, a power of two: fewer in small pictures. */
+int sampling_cell_of(int width, int height);
+
+/** Is a #PixelTest: one pixel of each cell, at a pseudo-random position that is always the same.
+ * The context is an `int`, the pixels along a side of a cell. */
 bool pixel_is_sampled(const void *context, int x, int y);
 
 /** Releases a set, which may be empty. */

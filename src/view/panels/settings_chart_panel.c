@@ -118,6 +118,10 @@ static const char *reason_for_none(const Viewport *viewport) {
                : gettext("The first point comes when the picture is finished and measured.");
 }
 
+float settings_chart_panel_width(float room) {
+    return fminf(room, fmaxf(PANEL_WIDTH * room, PANEL_WIDTH_MINIMUM * gui_text_size()));
+}
+
 void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *viewport,
                                const SDL_Rect *area) {
     GuiChartPoint points[SETTINGS_CHART_POINTS];
@@ -146,8 +150,7 @@ void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *
                       .reason = reason_for_none(viewport),
                       .notes = (const char *const[]){notes[0], notes[1]},
                       .note_count = 2};
-    float width = fminf((float)area->w,
-                        fmaxf(PANEL_WIDTH * (float)area->w, PANEL_WIDTH_MINIMUM * gui_text_size()));
+    float width = settings_chart_panel_width((float)area->w);
     float height = (float)area->h - TOAST_ROOM * gui_text_size();
     GuiPoint corner = {(float)(area->x + area->w) - width,
                        (float)area->y + TOAST_ROOM * gui_text_size()};

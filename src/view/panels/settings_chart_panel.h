@@ -41,6 +41,10 @@ void settings_chart_panel_deinit(SettingsChartPanel *panel);
 bool settings_chart_panel_update(SettingsChartPanel *panel, const Viewport *viewport,
                                  const Scene *scene);
 
+/** @return The width of the panel, which lies at the right. @param room That of its area, screen
+ *  units. */
+float settings_chart_panel_width(float room);
+
 /** Shows the panel. @param area Where it may lie, screen units. */
 void settings_chart_panel_show(const SettingsChartPanel *panel, const Viewport *viewport,
                                const SDL_Rect *area);

@@ -53,6 +53,9 @@ typedef struct ChartMeasurement {
     Chart *chart;                   /**< The result. */
 } ChartMeasurement;
 
+/** Fewest pixels whose error says anything. */
+enum { ERROR_PIXELS_MINIMUM = 64 };
+
 /** Is a #PixelTest: the pixels that are timed, in whole tiles. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {
     (void)context;
@@ -370,7 +373,8 @@ bool chart_measure(const Scene *scene, const RenderSettings *settings, const ato
         pixel_set_init(&measure.timed_pixels, width, height, pixel_is_in_timed_set, NULL, error) &&
         pixel_set_init(&measure.error_pixels, width, height, pixel_is_sampled, &cell, error) &&
         pixel_set_init(&measure.quad_pixels, width, height, pixel_is_in_quad_set, &cell, error) &&
-        ((measure.quad_pixels.count > 0 && measure.timed_pixels.count > 0) ||
+        ((measure.error_pixels.count >= ERROR_PIXELS_MINIMUM && measure.quad_pixels.count > 0 &&
+          measure.timed_pixels.count > 0) ||
          error_set(error, STATUS_USAGE, "a picture of %d x %d has too few pixels for a chart",
                    width, height)) &&
         measure_all(&measure, error);

@@ -54,7 +54,7 @@ typedef struct ChartMeasurement {
 } ChartMeasurement;
 
 /** Fewest pixels whose error says anything. */
-enum { ERROR_PIXELS_MINIMUM = 64 };
+enum { ERROR_PIXELS_MINIMUM = 16 };
 
 /** Is a #PixelTest: the pixels that are timed, in whole tiles. */
 static bool pixel_is_in_timed_set(const void *context, int x, int y) {

@@ -349,31 +349,16 @@ static const ShapeExtension transformed_bvh_extension = {
 /** Around a field. */
 static const ShapeExtension transformed_field_extension = {.count_steps = transformed_count_steps};
 
-const ShapeClass transformed_class = {
-    .size = sizeof(TransformedShape),
-    .init = transformed_init,
-    .is_hit = transformed_is_hit,
-    .is_occluding = transformed_is_occluding,
-    .bounds = transformed_bounds,
-    .texture_uv = transformed_texture_uv,
-};
+/** The methods that all three classes share. */
+#define TRANSFORMED_METHODS                                                                        \
+    .size = sizeof(TransformedShape), .init = transformed_init, .is_hit = transformed_is_hit,      \
+    .is_occluding = transformed_is_occluding, .bounds = transformed_bounds,                        \
+    .texture_uv = transformed_texture_uv
 
-const ShapeClass transformed_bvh_class = {
-    .size = sizeof(TransformedShape),
-    .init = transformed_init,
-    .is_hit = transformed_is_hit,
-    .is_occluding = transformed_is_occluding,
-    .bounds = transformed_bounds,
-    .texture_uv = transformed_texture_uv,
-    .extension = &transformed_bvh_extension,
-};
+const ShapeClass transformed_class = {TRANSFORMED_METHODS};
 
-const ShapeClass transformed_field_class = {
-    .size = sizeof(TransformedShape),
-    .init = transformed_init,
-    .is_hit = transformed_is_hit,
-    .is_occluding = transformed_is_occluding,
-    .bounds = transformed_bounds,
-    .texture_uv = transformed_texture_uv,
-    .extension = &transformed_field_extension,
-};
+const ShapeClass transformed_bvh_class = {TRANSFORMED_METHODS,
+                                          .extension = &transformed_bvh_extension};
+
+const ShapeClass transformed_field_class = {TRANSFORMED_METHODS,
+                                            .extension = &transformed_field_extension};

@@ -269,4 +269,15 @@ static inline Vec3d point_in_scene(uint64_t *state) {
                    random_float(state, -1.6, 1.6)};
 }
 
+/** Rotates, scales and moves the newest shape. */
+static inline void transform_last_shape(Scene *scene, uint64_t *state) {
+    Error error = {0};
+    Transform how = {{random_float(state, 0.2, 0.6), -random_float(state, 0.2, 0.4), 0.25},
+                     {random_float(state, 0, 360), random_float(state, 0, 360), 90},
+                     point_in_scene(state),
+                     {{0}}};
+    assert_true(transform_keyword.finish(&how, 0, &error));
+    assert_true(scene_set_last_transform(scene, &how, &error));
+}
+
 #endif

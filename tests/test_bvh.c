@@ -28,17 +28,6 @@ static Vec3d corner_in_scene(uint64_t *state) {
                    random_face_coordinate(state)};
 }
 
-/** Rotates, scales and moves the newest shape. */
-static void transform_last_shape(Scene *scene, uint64_t *state) {
-    Error error = {0};
-    Transform how = {{random_float(state, 0.2, 0.6), -random_float(state, 0.2, 0.4), 0.25},
-                     {random_float(state, 0, 360), random_float(state, 0, 360), 90},
-                     point_in_scene(state),
-                     {{0}}};
-    assert_true(transform_keyword.finish(&how, 0, &error));
-    assert_true(scene_set_last_transform(scene, &how, &error));
-}
-
 /** Adds a small closed mesh; half of these meshes are transformed. */
 static void add_sphere_mesh(Scene *scene, size_t i, uint64_t *state) {
     TriangleSoup sphere_soup = icosphere_triangles(1);

@@ -5,8 +5,9 @@
  * Engines of several lanes ask once for a packet of camera rays which shapes it may meet, whether a
  * quad covers it, whether anything is between it and a lamp, and which shape its shadow rays leave.
  * Engines of one lane ask for each ray, so they are the reference. The rooms are the bad cases:
- * edges that run through packets, slivers thinner than a pixel before walls and lamps, shapes that
- * touch, lamps at a wall, wide and narrow fields of view, grids whose last packets are not full.
+ * edges that run through packets, slivers thinner than a pixel before walls and lamps, turned and
+ * stretched shapes, shapes that touch, lamps at a wall, wide and narrow fields of view, grids whose
+ * last packets are not full.
  */
 #include "bvh_queries.h"
 
@@ -272,6 +273,10 @@ static void draw_room(const Engine *first, int room) {
     uint64_t state = (uint64_t)room;
     const bool is_floor = room % 16 >= 8;
     Scene *scene = is_floor ? random_floor(&state) : random_room(&state);
+    if (room % 8 >= 5) { // One of its shapes is turned and stretched.
+        uint64_t turn = state;
+        transform_last_shape(scene, &turn);
+    }
     // In a large picture, a part is a narrow beam that often sees one wall.
     const int width = room < ROOMS ? SMALLEST << (room / 16 % WIDTHS) : SMALLEST;
     PixelGrid grid = random_grid(&state, width, room / 16 % 2 == 1);

@@ -80,6 +80,10 @@ small='-s 192x144 --samples 2'
     mkdir "$work/bin"
     expect 1 'gnuplot-nox' 'a chart without gnuplot' env PATH="$work/bin" "$dioptre" chart scenes/figure-08.lua --out "$work/bare" $small
     [ -s "$work/bare/figure-08.csv" ] && ok 'its CSV is written' || fail 'its CSV is written'
+    # Without mirrors the ball is a step of dozens off: a chart of few pixels must meet it.
+    expect 0 '' 'a chart of 16 x 12 pixels' "$dioptre" chart scenes/box.lua --out "$work/few" -s 16x12 -q
+    awk -F, '$3 == "depth 0" { seen = $8 > 10 } END { exit !seen }' "$work/few/box.csv" &&
+        ok 'few pixels show that a mirror is missing' || fail 'few pixels hide that a mirror is missing'
     expect 2 'too few pixels' 'a picture of one pixel' "$dioptre" chart scenes/figure-08.lua --out "$work/one" -s 1x1
 
     expect 0 '' 'a chart of methods' "$dioptre" chart --kernels fresnel-into --out "$work/kernels"

@@ -73,6 +73,12 @@ static void sdf_append(Sdf *out, const SdfNode *node, const Sdf *body) {
     out->node_count += body->node_count + 1;
 }
 
+/** Says that a field is made of too many others. @return false */
+static bool reject_node_count(Error *error) {
+    return error_set(error, STATUS_SCENE, "a field may be made of at most %d fields",
+                     SDF_NODES_MAXIMUM);
+}
+
 /**
  * Creates a field of a node and its body.
  * @param[out] out    The field.
@@ -90,8 +96,7 @@ static bool sdf_wrap(Sdf *out, const SdfNode *node, const Sdf *sdf, Error *error
                          SDF_DEPTH_MAXIMUM);
     }
     if (sdf->node_count >= SDF_NODES_MAXIMUM) {
-        return error_set(error, STATUS_SCENE, "a field may be made of at most %d fields",
-                         SDF_NODES_MAXIMUM);
+        return reject_node_count(error);
     }
     sdf_append(out, node, sdf);
     return true;
@@ -383,8 +388,7 @@ static int deepest_sdf(const Sdf *const *sdfs, int count) {
 bool sdf_combine(Sdf *out, SdfCombination combination, const Sdf *const *sdfs, int count,
                  double radius, Error *error) {
     if (sdf_combined_capacity(sdfs, count) > SDF_NODES_MAXIMUM) {
-        return error_set(error, STATUS_SCENE, "a field may be made of at most %d fields",
-                         SDF_NODES_MAXIMUM);
+        return reject_node_count(error);
     }
     // The deepest field first: a chain of unions then does not become deeper.
     int first = combination == SDF_COMBINE_DIFFERENCE ? 0 : deepest_sdf(sdfs, count);

@@ -75,8 +75,8 @@ static double random_coordinate(uint64_t *state, double low, double high, double
 static SdfPair pair_of(const SdfNode *tape, Vec3d p, Vec3d q) {
     double length = vec3d_length(vec3d_subtract(q, p));
     double change = fabs(sdf_tape_value(tape, p) - sdf_tape_value(tape, q));
-    bool is_known = length > 0 && isfinite(change);
-    return (SdfPair){p, q, is_known ? change / length : 0, isfinite(change)};
+    bool is_number = isfinite(change);
+    return (SdfPair){p, q, is_number && length > 0 ? change / length : 0, is_number};
 }
 
 /** @return A pair in the region. @param p Its first point. @param distance Largest offset of its

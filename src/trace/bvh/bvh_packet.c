@@ -19,10 +19,17 @@ typedef struct PacketStackEntry {
     PacketLanes lanes; /**< The rays that may meet it. */
 } PacketStackEntry;
 
+/** How the rays of a packet meet the planes of boxes. */
+typedef struct PacketSlabOrder {
+    const SlabOrder *planes; /**< The order; along a mixed axis, the lower plane is the first. */
+    unsigned mixed_axes;     /**< Bit i is set where rays go both ways along axis i. */
+} PacketSlabOrder;
+
 /** State of the traversal. */
 typedef struct PacketTraversal {
     const Packet *packet;                   /**< The rays. */
     PacketIntervals intervals;              /**< Bounds of origins and directions. */
+    PacketSlabOrder order;                  /**< How the rays meet the planes of boxes. */
     real *limits;                           /**< Largest distances per vector. */
     PacketStackEntry stack[BVH_STACK_SIZE]; /**< The stack. */
     int stack_size;                         /**< Number of entries. */
@@ -39,22 +46,25 @@ static void packet_traversal_push(PacketTraversal *traversal, int first, PacketS
 
 /**
  * Finds the rays that meet the box of a child.
- * @param box             The box, in all lanes.
+ * @param box             The box in all lanes, its planes in the order of the traversal.
+ * @param mixed_axes      See #PacketSlabOrder; an argument, so that the loop is compiled without
+ *                        them, too.
  * @param lanes           The rays that reached the node.
  * @param[out] hit_lanes  The rays that meet the box.
  * @return Whether there are any.
  */
-static bool packet_traversal_test_child(const PacketTraversal *traversal, const Aabb *box,
-                                        const PacketLanes *lanes, PacketLanes *hit_lanes) {
+INLINE bool packet_traversal_test_child(const PacketTraversal *traversal, const Aabb *box,
+                                        unsigned mixed_axes, const PacketLanes *lanes,
+                                        PacketLanes *hit_lanes) {
     unsigned hit_bits = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hit_lanes->bits[v] = 0;
         if (lanes->bits[v]) {
-            real near;
-            mask is_hit =
-                slab_intersects(&traversal->packet->rays[v], box, traversal->limits[v], &near);
-            hit_lanes->bits[v] = (uint16_t)(mask_bits(is_hit) & lanes->bits[v]);
-            hit_bits |= hit_lanes->bits[v];
+            SlabSpan span =
+                slab_span(&traversal->packet->rays[v], box, traversal->limits[v], mixed_axes);
+            unsigned bits = real_less_equal_bits(span.near, span.far) & lanes->bits[v];
+            hit_lanes->bits[v] = (uint16_t)bits;
+            hit_bits |= bits;
         }
     }
     return hit_bits != 0;
@@ -63,6 +73,7 @@ static bool packet_traversal_test_child(const PacketTraversal *traversal, const 
 /** Pushes the children that rays may meet. @param lanes The rays that reached the node. */
 static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNode *node,
                                         const PacketLanes *lanes) {
+    const PacketSlabOrder order = traversal->order;
     int first = traversal->stack_size;
     for (int b = 0; b < BVH_NODE_VECTORS; b++) {
         real near;
@@ -72,8 +83,11 @@ static void packet_traversal_visit_node(PacketTraversal *traversal, const BvhNod
             int lane = __builtin_ctz(left);
             PacketStackEntry entry = {
                 real_at(&near, lane), node->children[b * LANES + lane], {{0}}};
-            Aabb box = aabb_splat_lane(&node->bounds[b], lane);
-            if (packet_traversal_test_child(traversal, &box, lanes, &entry.lanes)) {
+            Aabb box = aabb_splat_lane(&node->bounds[b], lane, order.planes);
+            if (order.mixed_axes == 0
+                    ? packet_traversal_test_child(traversal, &box, 0, lanes, &entry.lanes)
+                    : packet_traversal_test_child(traversal, &box, order.mixed_axes, lanes,
+                                                  &entry.lanes)) {
                 packet_traversal_push(traversal, first, entry);
             }
         }
@@ -85,8 +99,8 @@ static bool packet_traversal_cull_entry(const PacketTraversal *traversal, Packet
     unsigned left = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
         if (entry->lanes.bits[v]) {
-            unsigned looks = mask_bits(traversal->limits[v] >= real_of(entry->near));
-            entry->lanes.bits[v] = (uint16_t)(entry->lanes.bits[v] & looks);
+            unsigned reaching = real_less_equal_bits(real_of(entry->near), traversal->limits[v]);
+            entry->lanes.bits[v] = (uint16_t)(entry->lanes.bits[v] & reaching);
             left |= entry->lanes.bits[v];
         }
     }
@@ -106,15 +120,16 @@ static void packet_traversal_visit_leaf(PacketTraversal *traversal,
     }
 }
 
-/** @return Whether a packet is coherent: all directions have the same sign along at least one axis.
- */
-static bool packet_intervals_are_coherent(const PacketIntervals *intervals) {
-    bool is_coherent = false;
-    for (int axis = 0; axis < 3; axis++) {
+/** @return How the rays of a packet meet the planes of boxes. */
+static PacketSlabOrder packet_slab_order(const PacketIntervals *intervals) {
+    unsigned octant = 0, mixed_axes = 0;
+    for (unsigned axis = 0; axis < 3; axis++) {
         const AxisInterval *span = &intervals->axis[axis];
-        is_coherent = is_coherent || span->inverse_low > 0 || span->inverse_high < 0;
+        bool is_positive = span->inverse_low > 0, is_negative = span->inverse_high < 0;
+        octant |= (is_negative ? 1u : 0u) << axis;
+        mixed_axes |= (is_positive || is_negative ? 0u : 1u) << axis;
     }
-    return is_coherent;
+    return (PacketSlabOrder){&SLAB_ORDERS[octant], mixed_axes};
 }
 
 /** @return Number of rays in a set. */
@@ -157,8 +172,10 @@ void bvh_traverse(const Bvh *bvh, const Packet *packet, const PacketIntervals *i
         traversal.stack[0].lanes.bits[v] = (uint16_t)mask_bits(packet->active[v]);
     }
     traversal.intervals = *intervals;
-    if (LANES == 1 ||
-        (!intersector->prefers_vectors && !packet_intervals_are_coherent(&traversal.intervals))) {
+    traversal.order = packet_slab_order(intervals);
+    // In a coherent packet all rays go the same way along at least one axis.
+    bool is_coherent = traversal.order.mixed_axes != ALL_AXES;
+    if (LANES == 1 || (!intersector->prefers_vectors && !is_coherent)) {
         bvh_traverse_single(bvh, 0, &traversal.stack[0].lanes, packet, limits, intersector,
                             results);
         return;

@@ -3,6 +3,7 @@
  * @brief Intersection of packets with the shapes of a scene.
  */
 #include "trace/bvh/shape_set.h"
+#include "trace/shapes/plane_equation.h"
 
 /* --- shapes in the list ---------------------------------------------------------------------- */
 
@@ -43,8 +44,13 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
 
 /** @return Whether all rays surely miss a shape. @param intervals Those of the rays. */
 INLINE bool shape_misses_intervals(const Shape *shape, const PacketIntervals *intervals) {
-    return intervals->has_region && shape->class->misses_to_point &&
-           shape->class->misses_to_point(shape, intervals);
+    const ShapeClass *class = shape->class;
+    if (!intervals->has_region) {
+        return false;
+    }
+    return class->plane ? plane_equation_misses_region(class->plane(shape), &intervals->region)
+           : class->misses_to_point ? class->misses_to_point(shape, intervals)
+                                    : false;
 }
 
 /** @return The bits of the candidates that may occlude rays: without those that all rays miss.

@@ -62,6 +62,23 @@ static mask plane_is_hit(const Shape *self, const Ray *ray, mask active, Hit *hi
     return primitive_is_hit(self, ray, active, hit, plane_intersect, plane_surface, NULL);
 }
 
+/** See #ShapeClass.plane. */
+static const PlaneEquation *plane_plane(const Shape *self) {
+    return &((const Plane *)self)->equation;
+}
+
+/** See #ShapeClass.covers. */
+static bool plane_covers(const Shape *self, const Beam *beam) {
+    return plane_equation_farthest(plane_plane(self), beam) < INFINITE;
+}
+
+/** See #ShapeClass.beam_hits. A ray that does not meet the plane has a negative or infinite
+ *  distance, which is no hit. */
+static bool plane_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
+    plane_equation_beam_hits(plane_plane(self), self, packet, hits);
+    return true;
+}
+
 /** See #ShapeClass.is_occluding. */
 static mask plane_is_occluding(const Shape *self, const Ray *ray, mask active, real limit) {
     return primitive_is_occluding(self, ray, active, limit, plane_intersect, NULL);
@@ -93,6 +110,9 @@ const ShapeClass plane_class = {
     .init = plane_init,
     .is_hit = plane_is_hit,
     .is_occluding = plane_is_occluding,
+    .covers = METHOD_OF_BEAMS(plane_covers),
+    .plane = METHOD_OF_BEAMS(plane_plane),
+    .beam_hits = METHOD_OF_BEAMS(plane_beam_hits),
     .bounds = plane_bounds,
     .texture_uv = plane_texture_uv,
 };

@@ -11,6 +11,10 @@
 /** Bound on the error of a point, in half ulps of its coordinates and of the anchor. */
 #define PLANE_ERROR 8
 
+/** Slack of plane_equation_misses_region(), in coordinates of the region and of the plane: the
+ *  height of the region has a dozen roundings, and so has that of a ray of it. */
+#define PLANE_REGION_SLACK (64 * ROUNDOFF)
+
 /** A plane: all points p with normal . (p - anchor) = 0. */
 struct PlaneEquation {
     Vec3sw wide_anchor; /**< A point of the plane. */
@@ -108,6 +112,39 @@ INLINE SurfacePoint plane_equation_surface(const PlaneEquation *plane, const Ray
     point = vec3_subtract(point, vec3_scale(normal, height));
     real magnitude = vec3_max_abs(point) + real_of(plane->magnitude);
     return (SurfacePoint){point, normal, PLANE_ERROR * ROUNDOFF * magnitude};
+}
+
+/** Finds the hits of a plane that all rays of a beam meet: it is equally high above all of them.
+ * See #ShapeClass.beam_hits. @param self A shape in the plane. */
+INLINE void plane_equation_beam_hits(const PlaneEquation *equation, const Shape *self,
+                                     const Packet *packet, Hit *hits) {
+    const PlaneEquation plane = *equation;
+    const real height = plane_equation_height(&plane, packet->beam.origin);
+    for (int v = 0; v < PACKET_VECTORS; v++) {
+        const Ray *ray = &packet->rays[v];
+        real distance = height / plane_equation_slope(&plane, ray->direction);
+        mask nearer = hit_is_nearer(&hits[v], packet->active[v], distance, self->index);
+        SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
+        shape_update_hit(self, &hits[v], nearer, distance, &surface);
+    }
+}
+
+/**
+ * @return Whether all of a region is on one side of a plane. Rays within it surely miss the plane:
+ *         of a ray from one height above it to another, both beyond the slack, neither the height
+ *         of its origin nor the slope can round to a crossing in between.
+ */
+static inline bool plane_equation_misses_region(const PlaneEquation *plane, const Aabbs *region) {
+    const Vec3s n = plane->normal, anchor = plane->anchor;
+    const scalar normal[3] = {n.x, n.y, n.z}, origin[3] = {anchor.x, anchor.y, anchor.z};
+    scalar height = 0, reach = 0, size = plane->magnitude;
+    for (int axis = 0; axis < 3; axis++) {
+        scalar low = region->low[axis], high = region->high[axis];
+        height += normal[axis] * ((low + high) / 2 - origin[axis]);
+        reach += scalar_abs(normal[axis]) * ((high - low) / 2);
+        size += scalar_abs(low) + scalar_abs(high);
+    }
+    return scalar_abs(height) > reach + PLANE_REGION_SLACK * size;
 }
 
 #endif

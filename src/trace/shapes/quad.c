@@ -63,22 +63,13 @@ static const PlaneEquation *quad_plane(const Shape *self) {
     return &((const Quad *)self)->plane;
 }
 
-/** Finds where rays meet the plane, if all pass inside the edges: the plane is equally high above
- *  all of them. See #ShapeClass.beam_hits. */
+/** Finds where rays meet the plane, if all pass inside the edges. See #ShapeClass.beam_hits. */
 static bool quad_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
-    if (!quad_covers(self, &packet->beam)) {
-        return false;
+    bool is_covered = quad_covers(self, &packet->beam);
+    if (is_covered) {
+        plane_equation_beam_hits(quad_plane(self), self, packet, hits);
     }
-    const PlaneEquation plane = ((const Quad *)self)->plane;
-    const real height = plane_equation_height(&plane, packet->beam.origin);
-    for (int v = 0; v < PACKET_VECTORS; v++) {
-        const Ray *ray = &packet->rays[v];
-        real distance = height / plane_equation_slope(&plane, ray->direction);
-        mask nearer = hit_is_nearer(&hits[v], packet->active[v], distance, self->index);
-        SurfacePoint surface = plane_equation_surface(&plane, ray, distance);
-        shape_update_hit(self, &hits[v], nearer, distance, &surface);
-    }
-    return true;
+    return is_covered;
 }
 
 /** See #ShapeClass.is_occluding. */

@@ -47,12 +47,14 @@ typedef struct PlainLight {
     real distance_squared[PACKET_VECTORS]; /**< Scene units squared. */
     bool is_any_lit;                       /**< Whether any point faces the lamp. */
     bool is_all_lit;                       /**< Whether all do. */
+    bool is_all_leaving;                   /**< Whether all do so far that rays to the lamp surely
+                                                leave the surface: see #LEAVING_SLACK. */
 } PlainLight;
 
 /** Finds how a lamp stands to the points. */
 INLINE void plain_light_find(const PlainPoints *points, Vec3 lamp, PlainLight *light) {
     const Vec3 normal = points->normal;
-    mask any_lit = mask_of(false), all_lit = mask_of(true);
+    mask any_lit = mask_of(false), all_lit = mask_of(true), all_leaving = mask_of(true);
     for (int v = 0; v < PACKET_VECTORS; v++) {
         Vec3 to_light = vec3_subtract(lamp, points->points[v]);
         real distance_squared = light_distance_squared(to_light);
@@ -61,13 +63,16 @@ INLINE void plain_light_find(const PlainPoints *points, Vec3 lamp, PlainLight *l
         light->cosine[v] = cosine;
         any_lit |= cosine > 0;
         all_lit &= cosine > 0;
+        all_leaving &= cosine > LEAVING_SLACK;
     }
     light->is_any_lit = any(any_lit);
     light->is_all_lit = mask_bits(all_lit) == ALL_LANES;
+    light->is_all_leaving = mask_bits(all_leaving) == ALL_LANES;
 }
 
-/** @return Whether surely no shape is between the points and a lamp that shines on all of them. */
-static bool plain_light_is_clear(const Tracer *tracer, const PlainPoints *points,
+/** @return Whether surely no shape is between the points and a lamp that shines on all of them.
+ *  @param left The shape of the points, if rays to the lamp surely leave it; else NULL. */
+static bool plain_light_is_clear(const Tracer *tracer, const PlainPoints *points, const Shape *left,
                                  const Light *lamp) {
     const RayOffset offset = tracer->ray_offset;
     const Vec3 normal = points->normal;
@@ -80,7 +85,7 @@ static bool plain_light_is_clear(const Tracer *tracer, const PlainPoints *points
         high = vec3_max(origin, high);
     }
     const PacketIntervals intervals = intervals_to_point(low, high, &lamp->position, 1);
-    return !shape_set_may_meet(&tracer->shapes, &intervals, NULL);
+    return !shape_set_may_meet(&tracer->shapes, &intervals, left);
 }
 
 /** Adds what a lamp gives to all points. */
@@ -92,10 +97,12 @@ INLINE void plain_light_add(const Light *lamp, const PlainLight *light, Rgb *dif
     }
 }
 
-/** Adds up the light of all lamps. @param is_clear Whether each reaches all points, or faces none.
- *  Else that is found out. @return Whether it is so. */
-static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, bool is_clear,
-                               Rgb *diffuse, RayCounts *counts) {
+/** Adds up the light of all lamps. @param shape The shape of the points. @param is_clear Whether
+ *  each lamp reaches all points, or faces none. Else that is found out. @return Whether it is so.
+ */
+static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, const Shape *shape,
+                               bool is_clear, Rgb *diffuse, RayCounts *counts) {
+    const bool is_offset = tracer->ray_offset.strategy == OFFSET_BOUND;
     const Rgb black = {real_of(0), real_of(0), real_of(0)};
     uint64_t rays = 0;
     for (int v = 0; v < PACKET_VECTORS; v++) {
@@ -111,7 +118,8 @@ static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, 
         if (!light.is_any_lit) {
             continue;
         }
-        if (!light.is_all_lit || (!is_clear && !plain_light_is_clear(tracer, points, lamp))) {
+        const Shape *left = is_offset && light.is_all_leaving ? shape : NULL;
+        if (!light.is_all_lit || (!is_clear && !plain_light_is_clear(tracer, points, left, lamp))) {
             return false;
         }
         plain_light_add(lamp, &light, diffuse);
@@ -245,7 +253,7 @@ static bool plain_plane_shade(const Tracer *tracer, const PixelGrid *grid, Pixel
     PlainPoints points;
     Rgb diffuse[PACKET_VECTORS];
     plain_points_find(&tracer->camera, grid, jitter, first, plane, &points);
-    if (!plain_points_light(tracer, &points, is_clear, diffuse, counts)) {
+    if (!plain_points_light(tracer, &points, shape, is_clear, diffuse, counts)) {
         return false;
     }
     const MaterialPack material = material_pack_splat(&tracer->materials[shape->material]);

@@ -280,7 +280,7 @@ $(BUILD)/tests/test_$(1): tests/test_$(1).c $(ENGINES:%=$(OBJ)/tests/$(1)/%.o)
 $(BUILD)/tests/test_$(1): private CPPFLAGS += '-DENGINE_LIST(X)=$(foreach engine,$(ENGINES),X($(engine)))'
 $(BUILD)/tests/test_$(1): private WITH_ROOMS := $(ENGINES:%=$(OBJ)/tests/$(1)/%.o) $$(WITH_ROOMS)
 endef
-$(foreach name,box_tests compaction tape_octree,$(eval $(call ENGINE_CHECKS,$(name))))
+$(foreach name,box_tests compaction shafts tape_octree,$(eval $(call ENGINE_CHECKS,$(name))))
 # Ball arithmetic, which judges the laboratory's reference.
 $(BUILD)/tests/test_arb: private LIBRARIES += -lflint-arb -lflint
 

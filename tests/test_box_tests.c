@@ -59,24 +59,10 @@ static void test_intervals(void **state) {
     run_check(BOX_INTERVALS);
 }
 
-/** @param state Not used. */
-static void test_spheres(void **state) {
-    (void)state;
-    run_check(BOX_SPHERES);
-}
-
-/** @param state Not used. */
-static void test_shafts(void **state) {
-    (void)state;
-    run_check(BOX_SHAFTS);
-}
-
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orders),    cmocka_unit_test(test_row),
-        cmocka_unit_test(test_packs),     cmocka_unit_test(test_quads),
-        cmocka_unit_test(test_intervals), cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_shafts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orders), cmocka_unit_test(test_row),
+                                       cmocka_unit_test(test_packs), cmocka_unit_test(test_quads),
+                                       cmocka_unit_test(test_intervals)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

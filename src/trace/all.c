@@ -16,6 +16,7 @@
 #include "trace/tracer/report_methods.c"
 #include "trace/tracer/retrace.c"
 #include "trace/tracer/secondary_rays.c"
+#include "trace/tracer/shaft.c"
 #include "trace/tracer/tile.c"
 #include "trace/tracer/tracer.c"
 #include "trace/tracer/wavefront.c"

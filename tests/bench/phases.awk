@@ -6,7 +6,7 @@
 BEGIN {
     add("camera rays", "^(camera_[^bp]|pixel_jitter|sobol|pixel_ids)")
     add("plain packets: all of it", "^(plain_|plane_section|section_)")
-    add("culling", "(_covers|_misses|_misses_to_point|_miss_sphere)$|^(beam_|camera_beam|camera_packet_beam|intervals_to|packet_intervals|packet_active|linear_cand|occluding_cand|candidates_|shape_set_|set_bvh|set_intervals|bvh_|packet_tr|single_t|tile_is_back|tile_sight|aabb)")
+    add("culling", "(_covers|_misses|_misses_to_point|_miss_sphere|_support|_shaft)$|^(support_|shaft_|beam_|camera_beam|camera_packet_beam|intervals_to|packet_intervals|packet_active|linear_cand|occluding_cand|candidates_|shape_set_|set_bvh|set_intervals|bvh_|packet_tr|single_t|tile_is_back|tile_sight|aabb)")
     add("shadow rays: intersection", "(_is_occluding|_occluded)")
     add("rays: intersection", "(_is_hit|_beam_hits|_closest_hits|_intersect|closest_hit|sphere_intersect|mesh_|leaf_|triangle|shape_update_lanes)")
     add("marching", "^(sphere_trace|march_|sdf_|union_run|grid_|repeat_)")

@@ -11,6 +11,7 @@
 #include "../src/trace/bvh/bvh_split.c"
 #include "../src/trace/shapes/watertight.h"
 #include "../src/trace/tracer/packet.c"
+#include "../random_scalar.h"
 
 /** Number of boxes in a tree. */
 enum { BOXES = 3000 };
@@ -23,12 +24,6 @@ static Bvh build_tree(const Aabbs *boxes) {
         abort();
     }
     return bvh;
-}
-
-/** @return A random number, 0 to 1 (Knuth's linear congruential generator). */
-static scalar random_scalar(uint64_t *state) {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (scalar)(*state >> 40) / (scalar)0x1000000;
 }
 
 #if BVH_HAS_ORDERS
@@ -342,7 +337,7 @@ static const char *check_kept(const Packet *packet, int first, int end,
     real nearest;
     mask may_hit = packet_intervals_may_hit(intervals, boxes, &nearest);
     for (int i = 0; i < LANES; i++) {
-        Aabb box = aabb_splat_lane(boxes, i);
+        Aabb box = aabb_splat_lane(boxes, i, &SLAB_ORDERS[0]);
         for (int v = first; v < end; v++) {
             real near;
             mask meets = slab_intersects(&packet->rays[v], &box, packet->limit[v], &near);
@@ -379,146 +374,6 @@ static const char *check_intervals(uint64_t seed) {
     return fault;
 }
 
-/** @return A random vector; its coordinates are -1 to 1. */
-static Vec3s random_vector(uint64_t *seed) {
-    scalar x = 2 * random_scalar(seed) - 1, y = 2 * random_scalar(seed) - 1;
-    return (Vec3s){x, y, 2 * random_scalar(seed) - 1};
-}
-
-/** @return The part of a vector at a right angle to another, of a length. */
-static Vec3s vector_across(Vec3s v, Vec3s other, scalar length) {
-    Vec3s across = vec3s_add(v, vec3s_scale(other, -vec3s_dot(v, other) / vec3s_dot(other, other)));
-    return vec3s_scale(across, length / SCALAR_SQRT(vec3s_dot(across, across)));
-}
-
-/** @return A random beam of one to a thousand pixels. */
-static Beam random_beam(uint64_t *seed) {
-    const scalar pixels = (scalar)(1 << (int)(11 * random_scalar(seed)));
-    Beam beam = {.origin = random_vector(seed), .axis = random_vector(seed)};
-    scalar width = pixels / 8192 * SCALAR_SQRT(vec3s_dot(beam.axis, beam.axis));
-    beam.across = vector_across(random_vector(seed), beam.axis, width);
-    Vec3sw up = vec3sw_cross(vec3s_widen(beam.axis), vec3s_widen(beam.across));
-    beam.up = vector_across(vec3s_narrow(up), beam.axis, width / 2);
-    return beam;
-}
-
-/** @return The centre of a sphere beside a point of a side of a beam. @param distance From the
- *  side, outwards. */
-static Vec3sw sphere_beside(uint64_t *seed, const Beam *beam, scalar distance) {
-    const bool is_up = random_scalar(seed) < (scalar)0.5;
-    const scalar sign = random_scalar(seed) < (scalar)0.5 ? -1 : 1;
-    Vec3s edge = vec3s_add(beam->axis, vec3s_scale(is_up ? beam->up : beam->across, sign));
-    Vec3s along = vec3s_scale(is_up ? beam->across : beam->up, 2 * random_scalar(seed) - 1);
-    Vec3s point = vec3s_add(
-        beam->origin, vec3s_scale(vec3s_add(edge, along), 8 * (random_scalar(seed) + (scalar)0.1)));
-    Vec3sw normal = vec3sw_cross(vec3s_widen(edge), vec3s_widen(is_up ? beam->across : beam->up));
-    bool is_inwards = vec3sw_dot(normal, vec3s_widen(beam->axis)) > 0;
-    Vec3sw inwards = vec3sw_scale(vec3sw_normalize(normal), is_inwards ? 1 : -1);
-    return vec3sw_subtract(vec3s_widen(point), vec3sw_scale(inwards, (wide_scalar)distance));
-}
-
-/** See #BOX_SPHERES. */
-static const char *check_spheres(uint64_t seed) {
-    const scalar little = 64 * NARROW_BEAM_SLACK;
-    size_t missed = 0;
-    for (size_t i = 0; i < CASES; i++) {
-        const Beam beam = random_beam(&seed);
-        const wide_scalar radius = (wide_scalar)random_scalar(&seed) + (wide_scalar)0.01;
-        Vec3sw touching = sphere_beside(&seed, &beam, (scalar)radius * (1 - 4 * ROUNDOFF)),
-               beyond = sphere_beside(&seed, &beam, (scalar)radius + little);
-        if (beam_misses_sphere(&beam, touching, radius)) {
-            return "a sphere is missed";
-        }
-        missed += beam_misses_sphere(&beam, beyond, radius);
-    }
-    return missed > CASES / 2 ? NULL : "spheres beside beams are not missed";
-}
-
-/** Rays from a box to a point. */
-typedef struct Shaft {
-    Vec3s middle; /**< The middle of the box. */
-    Vec3s half;   /**< Half its size. */
-    Vec3s target; /**< The point. */
-} Shaft;
-
-/** @return Random rays to a point; some have all one origin. @param offset How far they are from
- *  zero. */
-static Shaft random_shaft(uint64_t *seed, scalar offset) {
-    const scalar size = random_scalar(seed) < (scalar)0.25 ? 0 : random_scalar(seed) / 4;
-    const scalar x = random_scalar(seed), y = random_scalar(seed);
-    const Vec3s half = {size * x, size * y, size * random_scalar(seed)}, far = {offset, 0, 0};
-    return (Shaft){vec3s_add(random_vector(seed), far), half,
-                   vec3s_add(vec3s_scale(random_vector(seed), 8), far)};
-}
-
-/** @return The intervals of rays from a box to a point. */
-static PacketIntervals shaft_intervals(const Shaft *shaft) {
-    const Vec3 target = vec3_splat(shaft->target), middle = vec3_splat(shaft->middle),
-               half = vec3_splat(shaft->half);
-    return intervals_to_point(vec3_subtract(middle, half), vec3_add(middle, half), &target, 1);
-}
-
-/** A sphere. */
-typedef struct Ball {
-    Vec3sw center;      /**< Its centre. */
-    wide_scalar radius; /**< Its radius. */
-} Ball;
-
-/** @return A sphere that a ray to a point touches, hardly: a corner of the box is the origin. */
-static Ball ball_at_ray(uint64_t *seed, const Shaft *shaft) {
-    const scalar x = random_scalar(seed) < (scalar)0.5 ? 1 : -1,
-                 y = random_scalar(seed) < (scalar)0.5 ? 1 : -1,
-                 size =
-                     (random_scalar(seed) + (scalar)0.01) / (1 << (int)(20 * random_scalar(seed)));
-    Vec3s corner = {shaft->half.x * x, shaft->half.y * y, shaft->half.z};
-    Vec3sw target = vec3s_widen(shaft->target),
-           to_origin = vec3sw_subtract(vec3s_widen(vec3s_add(shaft->middle, corner)), target),
-           to_point = vec3sw_scale(to_origin, (wide_scalar)(1 + 15 * random_scalar(seed)) / 16),
-           side = vec3sw_cross(to_origin, vec3s_widen(random_vector(seed))),
-           beside = vec3sw_scale(vec3sw_normalize(side), (wide_scalar)size),
-           center = vec3sw_subtract(target, vec3sw_subtract(beside, to_point)),
-           across = vec3sw_cross(vec3sw_subtract(center, target), to_origin);
-    // The distance between ray and centre, as this is rounded.
-    wide_scalar distance = WIDE_SQRT(vec3sw_dot(across, across) / vec3sw_dot(to_origin, to_origin));
-    return (Ball){center, distance * (1 + 4 * (wide_scalar)ROUNDOFF)};
-}
-
-/** @return The centre of a sphere beside the cone around the ball around the origins. @param
- *  distance From the cone, outwards. */
-static Vec3sw sphere_at_cone(uint64_t *seed, const Shaft *shaft, scalar distance) {
-    const Vec3s axis = vec3s_add(shaft->middle, vec3s_scale(shaft->target, -1));
-    const scalar length = SCALAR_SQRT(vec3s_dot(axis, axis)),
-                 ball = SCALAR_SQRT(vec3s_dot(shaft->half, shaft->half)), sine = ball / length,
-                 cosine = SCALAR_SQRT(1 - sine * sine);
-    const Vec3s forward = vec3s_scale(axis, 1 / length),
-                across = vector_across(random_vector(seed), axis, 1);
-    const Vec3s side = vec3s_add(vec3s_scale(forward, cosine), vec3s_scale(across, sine)),
-                outwards = vec3s_add(vec3s_scale(forward, -sine), vec3s_scale(across, cosine));
-    const Vec3s from_target =
-        vec3s_add(vec3s_scale(side, length * random_scalar(seed)), vec3s_scale(outwards, distance));
-    return vec3s_widen(vec3s_add(shaft->target, from_target));
-}
-
-/** See #BOX_SHAFTS. */
-static const char *check_shafts(uint64_t seed) {
-    const scalar little = 128 * COSINE_SLACK, offset = (scalar)(REAL_BITS == 32 ? 0x1p10 : 0x1p40);
-    size_t missed = 0;
-    for (size_t i = 0; i < CASES; i++) {
-        const Shaft shaft = random_shaft(&seed, i % 2 ? offset : 0);
-        const PacketIntervals intervals = shaft_intervals(&shaft);
-        const Ball touched = ball_at_ray(&seed, &shaft);
-        if (intervals_miss_sphere(&intervals, touched.center, touched.radius)) {
-            return "a sphere in the way of rays to a point is missed";
-        }
-        const Shaft near = random_shaft(&seed, 0);
-        const PacketIntervals near_intervals = shaft_intervals(&near);
-        const scalar radius = random_scalar(&seed) + (scalar)0.01;
-        Vec3sw beyond = sphere_at_cone(&seed, &near, radius + little);
-        missed += intervals_miss_sphere(&near_intervals, beyond, (wide_scalar)radius);
-    }
-    return missed > MOST_CASES ? NULL : "spheres beside rays to a point are not missed";
-}
-
 #endif
 
 extern const BoxChecks CHECKS;
@@ -534,7 +389,5 @@ const BoxChecks CHECKS = {{
 #endif
 #else
     [BOX_INTERVALS] = check_intervals,
-    [BOX_SPHERES] = check_spheres,
-    [BOX_SHAFTS] = check_shafts,
 #endif
 }};

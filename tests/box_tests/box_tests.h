@@ -18,9 +18,6 @@ typedef enum BoxCheck {
                         its polygon, edge by edge: through corners, along edges, beyond the range. */
     BOX_INTERVALS, /**< The same as BOX_PACKS for the intervals of a packet, and for those of a
                       vector. */
-    BOX_SPHERES, /**< A beam does not miss a sphere that one of its rays meets, hardly; but one that
-                      all of them miss by a little more, mostly. */
-    BOX_SHAFTS,  /**< The same for rays to a point. */
     BOX_CHECK_COUNT
 } BoxCheck;
 

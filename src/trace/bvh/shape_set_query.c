@@ -4,6 +4,7 @@
  */
 #include "trace/bvh/shape_set.h"
 #include "trace/shapes/plane_equation.h"
+#include "trace/tracer/shaft.h"
 
 /* --- shapes in the list ---------------------------------------------------------------------- */
 
@@ -42,26 +43,57 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
-/** @return Whether all rays surely miss a shape. @param intervals Those of the rays. */
-INLINE bool shape_misses_intervals(const Shape *shape, const PacketIntervals *intervals) {
+/** A shaft that the first test of a shape computes. */
+typedef struct LazyShaft {
+    Shaft shaft; /**< The shaft. */
+    bool is_set; /**< Whether it is computed. */
+} LazyShaft;
+
+/** @return Whether all rays of a beam surely miss a shape. @param[in,out] sides Its shaft. */
+INLINE bool beam_misses_shape(const Beam *beam, LazyShaft *sides, const Shape *shape) {
+    if (!shape->class->support) {
+        return false;
+    }
+    if (!sides->is_set) {
+        beam_shaft(beam, &sides->shaft);
+        sides->is_set = true;
+    }
+    return shaft_misses(&sides->shaft, shape);
+}
+
+/** @return Whether all rays to a point surely miss a shape. @param intervals Those of the rays.
+ * @param [in,out] sides Their shaft. */
+INLINE bool intervals_miss_shape(const PacketIntervals *intervals, LazyShaft *sides,
+                                 const Shape *shape) {
     const ShapeClass *class = shape->class;
     if (!intervals->has_region) {
         return false;
     }
-    return class->plane ? plane_equation_misses_region(class->plane(shape), &intervals->region)
-           : class->misses_to_point ? class->misses_to_point(shape, intervals)
-                                    : false;
+    if (class->misses_to_point) {
+        return class->misses_to_point(shape, intervals);
+    }
+    if (class->plane && plane_equation_misses_region(class->plane(shape), &intervals->region)) {
+        return true;
+    }
+    if (!class->support) {
+        return false;
+    }
+    if (!sides->is_set) {
+        intervals_shaft(intervals, &sides->shaft);
+        sides->is_set = true;
+    }
+    return shaft_misses(&sides->shaft, shape);
 }
 
 /** @return The bits of the candidates that may occlude rays: without those that all rays miss.
  *  @param excluded Another shape that they miss; NULL: there is none. */
 INLINE unsigned occluding_candidates(const ShapeSet *set, const PacketIntervals *intervals,
-                                     size_t pack, const Shape *excluded) {
+                                     LazyShaft *sides, size_t pack, const Shape *excluded) {
     unsigned remaining = linear_candidates(set, intervals, pack).remaining, others = remaining;
     for (; remaining; remaining &= remaining - 1) {
         int i = __builtin_ctz(remaining);
         const Shape *shape = linear_shape(set, pack, i);
-        bool is_missed = shape == excluded || shape_misses_intervals(shape, intervals);
+        bool is_missed = shape == excluded || intervals_miss_shape(intervals, sides, shape);
         others &= is_missed ? ~(1u << i) : ~0u;
     }
     return others;
@@ -79,29 +111,20 @@ INLINE int candidates_pop_nearest(Candidates *candidates) {
     return best;
 }
 
-/** @return Whether all rays of a beam surely miss a shape. */
-INLINE bool shape_misses(const Shape *shape, const Beam *beam) {
-    return shape->class->misses && shape->class->misses(shape, beam);
-}
-
 /**
  * Intersects a packet with one shape.
  * @param near          Lower bound on its distance.
  * @param[in,out] hits  Nearest hits so far.
  */
 static void shape_closest_hits(const Shape *shape, scalar near, const Packet *packet, Hit *hits) {
+    const bool has_beam = LANES > 1 && packet->has_beam;
     if (shape_takes_packets(shape)) {
         shape->class->extension->closest_hits(shape, packet, hits);
         return;
     }
     const ShapeClass *class = shape->class;
-    if (LANES > 1 && packet->has_beam) {
-        if (shape != packet->only_shape && shape_misses(shape, &packet->beam)) {
-            return;
-        }
-        if (class->beam_hits && class->beam_hits(shape, packet, hits)) {
-            return;
-        }
+    if (has_beam && class->beam_hits && class->beam_hits(shape, packet, hits)) {
+        return;
     }
     for (int v = 0; v < packet_vector_count(packet); v++) {
         mask pending = packet->active[v] & (hits[v].distance >= real_of(near));
@@ -301,15 +324,19 @@ static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) 
 
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
                         const Shape *excluded) {
+    LazyShaft sides;
+    sides.is_set = false;
     bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t pack = 0; !may_meet && pack < aabb_pack_count(set->linear_count); pack++) {
-        may_meet = occluding_candidates(set, intervals, pack, excluded) != 0;
+        may_meet = occluding_candidates(set, intervals, &sides, pack, excluded) != 0;
     }
     return may_meet;
 }
 
 void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found) {
     const PacketIntervals intervals = beam_intervals(beam);
+    LazyShaft sides;
+    sides.is_set = false;
     scalar nearest = INFINITE;
     *found = (BeamCandidates){0, NULL, INFINITE};
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
@@ -318,7 +345,7 @@ void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidate
             int i = __builtin_ctz(candidates.remaining);
             const Shape *shape = linear_shape(set, pack, i);
             scalar distance = real_lane(candidates.near, i);
-            if (shape_misses(shape, beam)) {
+            if (beam_misses_shape(beam, &sides, shape)) {
                 continue;
             }
             found->count++;
@@ -336,8 +363,10 @@ void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidate
 void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
                                  BeamCandidates *candidates) {
     const Shape *only = beam_only_shape(candidates);
-    if (only && only->class->misses) {
-        candidates->count = !shape_misses(only, part);
+    if (only && only->class->support) {
+        LazyShaft sides;
+        sides.is_set = false;
+        candidates->count = !beam_misses_shape(part, &sides, only);
         candidates->nearest = candidates->count ? only : NULL;
     } else if (candidates->count > 0) {
         shape_set_find_in_beam(set, part, candidates);
@@ -365,11 +394,16 @@ void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits)
         return;
     }
     const PacketIntervals intervals = set_intervals(set, packet);
+    LazyShaft sides;
+    sides.is_set = false;
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         Candidates candidates = linear_candidates(set, &intervals, pack);
         while (candidates.remaining) {
             int i = candidates_pop_nearest(&candidates);
             const Shape *shape = linear_shape(set, pack, i);
+            if (packet->has_beam && beam_misses_shape(&packet->beam, &sides, shape)) {
+                continue;
+            }
             shape_closest_hits(shape, real_lane(candidates.near, i), packet, hits);
         }
     }
@@ -387,11 +421,13 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);
     // Such a shape may be hit outside its box.
     intervals.has_region = intervals.has_region && !set->may_exceed_box;
+    LazyShaft sides;
+    sides.is_set = false;
     for (int v = 0; v < packet_vector_count(packet); v++) {
         occluded[v] = mask_of(false);
     }
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
-        unsigned remaining = occluding_candidates(set, &intervals, pack, excluded);
+        unsigned remaining = occluding_candidates(set, &intervals, &sides, pack, excluded);
         for (; remaining; remaining &= remaining - 1) {
             shape_occluded(linear_shape(set, pack, __builtin_ctz(remaining)), packet, occluded);
         }

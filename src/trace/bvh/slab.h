@@ -16,6 +16,9 @@
 #define SLAB_ROUNDINGS 22
 /** Relative slack of both sides. */
 #define SLAB_SLACK (SLAB_ROUNDINGS * ROUNDOFF)
+/** Relative slack of a region: more than both sides of the slab test together, so that it keeps
+ *  each box that a ray's own test keeps. */
+#define REGION_SLACK (3 * SLAB_SLACK)
 
 /**
  * Clips an interval to the part of rays between one pair of planes.

@@ -7,7 +7,7 @@
  * twice. A direction along an axis gives infinite or NaN distances, and every comparison rejects
  * NaN. The far side has the slack of three roundings (Ize, *Robust BVH Ray Traversal*, JCGT 2013).
  */
-#include "trace/shapes/shape.h"
+#include "trace/shapes/support.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates. */
 #define BOX_ERROR 8
@@ -137,6 +137,12 @@ static mask box_is_occluding(const Shape *self, const Ray *ray, mask active, rea
     return primitive_is_occluding(self, ray, active, limit, box_intersect, &interval);
 }
 
+/** See #ShapeClass.support. */
+static real box_support(const Shape *self, Vec3s from, Vec3 directions) {
+    const Box *box = (const Box *)self;
+    return support_of_box(box->low, box->high, from, directions);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs box_bounds(const Shape *self) {
     const scalar *low = ((const Box *)self)->low, *high = ((const Box *)self)->high;
@@ -170,6 +176,7 @@ const ShapeClass box_class = {
     .init = box_init,
     .is_hit = box_is_hit,
     .is_occluding = box_is_occluding,
+    .support = METHOD_OF_BEAMS(box_support),
     .bounds = box_bounds,
     .texture_uv = box_texture_uv,
 };

@@ -16,7 +16,7 @@
  * products, whose lengths are distances of the ray, as in the cylinder. All of it is relative to
  * the origin of the ray and in the wide precision.
  */
-#include "trace/shapes/axial_frame.h"
+#include "trace/shapes/support.h"
 
 /**
  * Bound on the error of a point, in half ulps of its coordinates and of #Cone.magnitude, which
@@ -237,6 +237,13 @@ static mask cone_is_occluding(const Shape *self, const Ray *ray, mask active, re
     return primitive_is_occluding(self, ray, active, limit, cone_intersect, &roots);
 }
 
+/** See #ShapeClass.support. */
+static real cone_support(const Shape *self, Vec3s from, Vec3 directions) {
+    const Cone *cone = (const Cone *)self;
+    return support_of_wall(&cone->frame, cone->low, cone->base_radius, cone->high, cone->top_radius,
+                           from, directions);
+}
+
 /** @return The box around the circles of the ends. See #ShapeClass.bounds. */
 static Aabbs cone_bounds(const Shape *self) {
     const Cone *cone = (const Cone *)self;
@@ -287,6 +294,7 @@ const ShapeClass cone_class = {
     .init = cone_init,
     .is_hit = cone_is_hit,
     .is_occluding = cone_is_occluding,
+    .support = METHOD_OF_BEAMS(cone_support),
     .bounds = cone_bounds,
     .texture_uv = cone_texture_uv,
 };

@@ -11,7 +11,7 @@
  * plane across the axis; b^2 - ac would cancel. All of it is relative to the origin of the ray and
  * in the wide precision.
  */
-#include "trace/shapes/axial_frame.h"
+#include "trace/shapes/support.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates and of #Cylinder.magnitude. */
 #define CYLINDER_ERROR 8
@@ -144,6 +144,13 @@ static mask cylinder_is_occluding(const Shape *self, const Ray *ray, mask active
     return primitive_is_occluding(self, ray, active, limit, cylinder_intersect, &roots);
 }
 
+/** See #ShapeClass.support. */
+static real cylinder_support(const Shape *self, Vec3s from, Vec3 directions) {
+    const Cylinder *cylinder = (const Cylinder *)self;
+    return support_of_wall(&cylinder->frame, 0, cylinder->radius, cylinder->frame.length,
+                           cylinder->radius, from, directions);
+}
+
 /** @return The box around the circles of the ends. See #ShapeClass.bounds. */
 static Aabbs cylinder_bounds(const Shape *self) {
     const Cylinder *cylinder = (const Cylinder *)self;
@@ -178,6 +185,7 @@ const ShapeClass cylinder_class = {
     .init = cylinder_init,
     .is_hit = cylinder_is_hit,
     .is_occluding = cylinder_is_occluding,
+    .support = METHOD_OF_BEAMS(cylinder_support),
     .bounds = cylinder_bounds,
     .texture_uv = cylinder_texture_uv,
 };

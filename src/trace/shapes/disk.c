@@ -7,7 +7,7 @@
  * division: the outline of a far disk is as exact as that of a near one.
  */
 #include "trace/shapes/plane_equation.h"
-#include "trace/shapes/uv_frame.h"
+#include "trace/shapes/support.h"
 
 /** A disk. @extends Shape */
 typedef struct Disk {
@@ -56,6 +56,15 @@ static mask disk_is_occluding(const Shape *self, const Ray *ray, mask active, re
     return primitive_is_occluding(self, ray, active, limit, disk_intersect, NULL);
 }
 
+/** See #ShapeClass.support. */
+static real disk_support(const Shape *self, Vec3s from, Vec3 directions) {
+    const Disk *disk = (const Disk *)self;
+    const scalar radius = (scalar)disk->radius;
+    Vec3s to_center = support_vector(from, disk->plane.wide_anchor);
+    return support_of_point(to_center, radius, directions) +
+           radius * support_of_circle(disk->plane.normal, directions);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs disk_bounds(const Shape *self) {
     const Disk *disk = (const Disk *)self;
@@ -81,6 +90,7 @@ const ShapeClass disk_class = {
     .init = disk_init,
     .is_hit = disk_is_hit,
     .is_occluding = disk_is_occluding,
+    .support = METHOD_OF_BEAMS(disk_support),
     .bounds = disk_bounds,
     .texture_uv = disk_texture_uv,
 };

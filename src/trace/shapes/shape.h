@@ -118,10 +118,11 @@ typedef struct ShapeClass {
      */
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
-    /** @return Whether all rays of a beam surely miss the shape. NULL: only its box tells. */
-    bool (*misses)(const Shape *self, const Beam *beam);
+    /** @return How far the shape reaches, no less: the most of direction . (p - from) for its
+     * points p. NULL: only its box tells. @param directions Of any length, one per lane. */
+    real (*support)(const Shape *self, Vec3s from, Vec3 directions);
 
-    /** @return Whether all rays to a point surely miss the shape. NULL: only its box tells. @param
+    /** @return Whether all rays to a point surely miss the shape. NULL: #support tells. @param
      *  intervals Those of the rays; they have a #PacketIntervals.region. */
     bool (*misses_to_point)(const Shape *self, const PacketIntervals *intervals);
 

@@ -9,8 +9,7 @@
  * zero is a sum, the other one the quotient of the product of the roots: neither cancels.
  */
 #include "trace/math/angle.h"
-#include "trace/shapes/shape.h"
-#include "trace/tracer/packet.h"
+#include "trace/shapes/support.h"
 
 /** Bound on the error of a point, in half ulps of its coordinates and of the radius. */
 #define SPHERE_ERROR 8
@@ -151,10 +150,12 @@ static mask sphere_is_occluding(const Shape *self, const Ray *ray, mask active, 
     return primitive_is_occluding(self, ray, active, limit, sphere_intersect, &roots);
 }
 
-/** See #ShapeClass.misses. */
-static bool sphere_misses(const Shape *self, const Beam *beam) {
+/** See #ShapeClass.support. */
+static real sphere_support(const Shape *self, Vec3s from, Vec3 directions) {
     const Sphere *sphere = (const Sphere *)self;
-    return beam_misses_sphere(beam, sphere->center, sphere->radius);
+    const scalar radius = (scalar)sphere->radius;
+    return support_of_point(support_vector(from, sphere->center), radius, directions) +
+           radius * real_sqrt(vec3_dot(directions, directions));
 }
 
 /** See #ShapeClass.misses_to_point. */
@@ -192,7 +193,7 @@ const ShapeClass sphere_class = {
     .init = sphere_init,
     .is_hit = sphere_is_hit,
     .is_occluding = sphere_is_occluding,
-    .misses = METHOD_OF_BEAMS(sphere_misses),
+    .support = METHOD_OF_BEAMS(sphere_support),
     .misses_to_point = METHOD_OF_BEAMS(sphere_misses_to_point),
     .beam_hits = METHOD_OF_BEAMS(sphere_beam_hits),
     .bounds = sphere_bounds,

@@ -12,6 +12,7 @@
  */
 #include "trace/shapes/transformed.h"
 #include "trace/bvh/slab.h"
+#include "trace/shapes/support.h"
 
 /** Bound on the error by transforming a point and a ray that leaves it, in half ulps of their
  *  coordinates. The error of the inner shape adds to it. */
@@ -242,6 +243,29 @@ static mask transformed_is_occluding(const Shape *self, const Ray *ray, mask act
     return inner->class->is_occluding(inner, &local.ray, active, local_limit);
 }
 
+/** @return How far the inner shape reaches in its local space. See #ShapeClass.support. */
+INLINE real transformed_inner_support(const Shape *inner, Vec3 directions) {
+    const Vec3s origin = {0, 0, 0};
+    if (inner->class->support) {
+        return inner->class->support(inner, origin, directions);
+    }
+    const Aabbs box = inner->class->bounds(inner);
+    return support_of_box(box.low, box.high, origin, directions);
+}
+
+/** As far as the inner shape reaches along the directions in the local space. See
+ *  #ShapeClass.support. */
+static real transformed_support(const Shape *self, Vec3s from, Vec3 directions) {
+    const TransformedShape *transformed = (const TransformedShape *)self;
+    const Aabbs *box = &transformed->bounds;
+    const scalar size = (box->high[0] - box->low[0]) + (box->high[1] - box->low[1]) +
+                        (box->high[2] - box->low[2]);
+    Vec3 local =
+        vec3_narrow(matrix3_apply_transposed(&transformed->to_world, vec3_widen(directions)));
+    return support_of_point(support_vector(from, transformed->translation), size, directions) +
+           transformed_inner_support(transformed->inner, local);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs transformed_bounds(const Shape *self) {
     return ((const TransformedShape *)self)->bounds;
@@ -355,9 +379,11 @@ static const ShapeExtension transformed_field_extension = {.count_steps = transf
     .is_occluding = transformed_is_occluding, .bounds = transformed_bounds,                        \
     .texture_uv = transformed_texture_uv
 
-const ShapeClass transformed_class = {TRANSFORMED_METHODS};
+const ShapeClass transformed_class = {TRANSFORMED_METHODS,
+                                      .support = METHOD_OF_BEAMS(transformed_support)};
 
 const ShapeClass transformed_bvh_class = {TRANSFORMED_METHODS,
+                                          .support = METHOD_OF_BEAMS(transformed_support),
                                           .extension = &transformed_bvh_extension};
 
 const ShapeClass transformed_field_class = {TRANSFORMED_METHODS,

@@ -137,6 +137,11 @@ static mask triangle_is_occluding(const Shape *self, const Ray *ray, mask active
     return primitive_is_occluding(self, ray, active, limit, triangle_intersect, NULL);
 }
 
+/** See #ShapeClass.support. */
+static real triangle_support(const Shape *self, Vec3s from, Vec3 directions) {
+    return vertices_support(((const Triangle *)self)->corners, TRIANGLE_CORNERS, from, directions);
+}
+
 /** See #ShapeClass.bounds. */
 static Aabbs triangle_bounds(const Shape *self) {
     return vertices_bounds(((const Triangle *)self)->corners, TRIANGLE_CORNERS);
@@ -163,6 +168,7 @@ const ShapeClass triangle_class = {
     .init = triangle_init,
     .is_hit = triangle_is_hit,
     .is_occluding = triangle_is_occluding,
+    .support = METHOD_OF_BEAMS(triangle_support),
     .bounds = triangle_bounds,
     .texture_uv = triangle_texture_uv,
 };

@@ -13,7 +13,7 @@
 #define DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 
 #include "trace/math/pack.h"
-#include "trace/tracer/packet.h"
+#include "trace/shapes/support.h"
 
 /** A vertex in the engine's number type. */
 typedef struct Vertex {
@@ -49,6 +49,20 @@ static inline Aabbs vertices_bounds(const Vertex *vertices, int count) {
         }
     }
     return aabbs_padded(box);
+}
+
+/** @return How far a vertex reaches. */
+INLINE real support_of_vertex(Vertex vertex, Vec3s from, Vec3 directions) {
+    return support_of_point(support_vector(from, vertex_widen(vertex)), 0, directions);
+}
+
+/** @return How far vertices reach. See #ShapeClass.support. */
+INLINE real vertices_support(const Vertex *vertices, int count, Vec3s from, Vec3 directions) {
+    real reach = support_of_vertex(vertices[0], from, directions);
+    for (int i = 1; i < count; i++) {
+        reach = real_max(support_of_vertex(vertices[i], from, directions), reach);
+    }
+    return reach;
 }
 
 /** The shear of rays, in axes permuted so that z is their dominant axis. */

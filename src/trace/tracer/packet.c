@@ -72,10 +72,6 @@ PacketIntervals packet_vector_intervals(const Packet *packet, int v) {
     return packet_range_intervals(packet, (VectorRange){v, v + 1});
 }
 
-/** Relative slack of a region: more than both sides of the slab test together, so that it keeps
- *  each box that a ray's own test keeps. */
-#define REGION_SLACK (3 * SLAB_SLACK)
-
 /** @return The interval along one axis of rays to a point. @param point Its coordinate. */
 INLINE AxisInterval axis_interval_to_point(real lowest, real highest, scalar point) {
     // The 0 that is added makes -0 positive, whose inverse would be the lowest of all.
@@ -144,27 +140,6 @@ static AxisInterval beam_axis_interval(scalar origin, scalar axis, scalar half_w
 bool beam_is_narrow(const Beam *beam) {
     scalar width = vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up);
     return 4 * width * width < vec3s_dot(beam->axis, beam->axis);
-}
-
-bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius) {
-    const Vec3 axis = vec3_splat(beam->axis), across = vec3_splat(beam->across),
-               up = vec3_splat(beam->up);
-    const Vec3 to_center =
-        vec3_splat(vec3s_narrow(vec3sw_subtract(center, vec3s_widen(beam->origin))));
-    const real r = real_of((scalar)radius);
-    // One side of the beam per lane: right, left, upper, lower. Further lanes repeat them.
-    const mask is_up = (lane_numbers() & 2) == 2, is_opposite = (lane_numbers() & 1) == 1;
-    Vec3 sideways = vec3_select(is_up, up, across), along = vec3_select(is_up, across, up);
-    real sign = real_select(is_opposite, real_of(-1), real_of(1));
-    Vec3 edge = vec3_add(axis, vec3_scale(sideways, sign));
-    Vec3 normal = vec3_cross(edge, along);
-    real along_normal = vec3_dot(normal, to_center);
-    real outwards = real_select(vec3_dot(normal, axis) > 0, -along_normal, along_normal);
-    // How far rays may be beside the beam, and the roundings here and of the sphere's own test.
-    real slack = NARROW_BEAM_SLACK * vec3_abs_sum(edge) * vec3_abs_sum(along) *
-                 (vec3_abs_sum(to_center) + r);
-    mask is_beside = outwards > r * real_sqrt(vec3_dot(normal, normal)) + slack;
-    return beam_is_narrow(beam) && any(is_beside);
 }
 
 bool intervals_miss_sphere(const PacketIntervals *intervals, Vec3sw center, wide_scalar radius) {

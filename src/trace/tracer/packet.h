@@ -198,9 +198,6 @@ PacketIntervals packet_intervals_to_point(const Packet *packet, const Vec3 *poin
  * largest limit. */
 PacketIntervals intervals_to_point(Vec3 low, Vec3 high, const Vec3 *point, scalar limit);
 
-/** @return Whether all rays of a beam surely miss a sphere. */
-bool beam_misses_sphere(const Beam *beam, Vec3sw center, wide_scalar radius);
-
 /** @return Intervals that contain all rays of a beam, rounding included. An axis along which rays
  *          go both ways clips nothing. */
 PacketIntervals beam_intervals(const Beam *beam);

@@ -12,7 +12,6 @@
 #include "../src/trace/shapes/cylinder.c"
 #include "../src/trace/shapes/disk.c"
 #include "../src/trace/shapes/plane.c"
-#include "../src/trace/shapes/quad.c"
 #include "../src/trace/shapes/sphere.c"
 #include "../src/trace/shapes/transformed.c"
 #include "../src/trace/shapes/triangle.c"
@@ -24,8 +23,8 @@
 enum {
     CASES = 20000,               /**< Number of random cases. */
     MOST_CASES = CASES * 9 / 10, /**< Nearly all of them. */
-    SHAPES_CHECKED = 280,        /**< Number of shapes whose support is checked. */
-    SHAPE_KINDS = 7,             /**< Number of classes with a support, without transforms. */
+    SHAPES_CHECKED = 240,        /**< Number of shapes whose support is checked. */
+    SHAPE_KINDS = 6,             /**< Number of classes with a support, without transforms. */
     RIM_POINTS = 2048            /**< Points of a circle that stand for it. */
 };
 
@@ -345,7 +344,6 @@ typedef union AnyShape {
     Cone cone;         /**< See above. */
     Disk disk;         /**< See above. */
     Triangle triangle; /**< See above. */
-    Quad quad;         /**< See above. */
 } AnyShape;
 
 /** Initialises a shape. */
@@ -387,19 +385,12 @@ static void random_shape(uint64_t *seed, int kind, AnyShape *shape, SurfacePoint
     } else if (kind == 4) {
         any_shape_init(shape, &disk_class, &(DiskParameters){a, b, radius});
         add_circle(surface, a, b, radius);
-    } else if (kind == 5) {
+    } else {
         any_shape_init(shape, &triangle_class, &(TriangleParameters){.corners = {a, b, c}});
         surface->points[0] = a;
         surface->points[1] = b;
         surface->points[2] = c;
         surface->count = 3;
-    } else {
-        any_shape_init(shape, &quad_class, &(QuadParameters){a, b, c});
-        surface->points[0] = a;
-        surface->points[1] = vec3d_add(a, b);
-        surface->points[2] = vec3d_add(a, c);
-        surface->points[3] = vec3d_add(surface->points[1], c);
-        surface->count = 4;
     }
 }
 

@@ -77,11 +77,6 @@ static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, re
     return primitive_is_occluding(self, ray, active, limit, quad_intersect, NULL);
 }
 
-/** See #ShapeClass.support. */
-static real quad_support(const Shape *self, Vec3s from, Vec3 directions) {
-    return vertices_support(((const Quad *)self)->corners.vertices, QUAD_CORNERS, from, directions);
-}
-
 /** See #ShapeClass.bounds. */
 static Aabbs quad_bounds(const Shape *self) {
     return vertices_bounds(((const Quad *)self)->corners.vertices, QUAD_CORNERS);
@@ -109,7 +104,6 @@ const ShapeClass quad_class = {
     .init = quad_init,
     .is_hit = quad_is_hit,
     .is_occluding = quad_is_occluding,
-    .support = METHOD_OF_BEAMS(quad_support),
     .bounds = quad_bounds,
     .covers = METHOD_OF_BEAMS(quad_covers),
     .beam_hits = METHOD_OF_BEAMS(quad_beam_hits),

@@ -119,7 +119,8 @@ typedef struct ShapeClass {
     mask (*is_occluding)(const Shape *self, const Ray *ray, mask active, real limit);
 
     /** @return How far the shape reaches, no less: the most of direction . (p - from) for its
-     * points p. NULL: only its box tells. @param directions Of any length, one per lane. */
+     * points p, and for points beside them by roundings or by #NARROW_BEAM_SLACK. NULL: only its
+     * box tells. @param directions Of any length, one per lane. */
     real (*support)(const Shape *self, Vec3s from, Vec3 directions);
 
     /** @return Whether all rays to a point surely miss the shape. NULL: #support tells. @param

@@ -7,25 +7,6 @@
 #include "trace/bvh/slab.h"
 #include "trace/math/columns.h"
 
-void beam_shaft(const Beam *beam, Shaft *shaft) {
-    const Vec3 axis = vec3_splat(beam->axis), across = vec3_splat(beam->across),
-               up = vec3_splat(beam->up);
-    // One side of the beam per lane: right, left, upper, lower. Further lanes repeat them.
-    const mask is_up = (lane_numbers() & 2) == 2, is_opposite = (lane_numbers() & 1) == 1;
-    Vec3 sideways = vec3_select(is_up, up, across), along = vec3_select(is_up, across, up);
-    // So far rays may be beside the beam, in lengths of the edge of a side.
-    real wider = 1 + NARROW_BEAM_SLACK * (vec3_abs_sum(axis) + vec3_abs_sum(sideways)) /
-                         vec3_max_abs(sideways);
-    real sign = real_select(is_opposite, -wider, wider);
-    Vec3 normal = vec3_cross(vec3_add(axis, vec3_scale(sideways, sign)), along);
-    real inwards = real_select(vec3_dot(normal, axis) < 0, real_of(-1), real_of(1));
-    const bool has_width = vec3s_abs_sum(beam->across) > 0 && vec3s_abs_sum(beam->up) > 0;
-    shaft->apex = beam->origin;
-    shaft->vector_count = has_width && beam_is_narrow(beam) ? 1 : 0;
-    shaft->inward[0] = vec3_scale(normal, inwards);
-    shaft->slack[0] = real_of(0);
-}
-
 /** Two coordinates of a point. */
 typedef struct Point2 {
     scalar u; /**< Along the first axis. */
@@ -97,13 +78,4 @@ void intervals_shaft(const PacketIntervals *intervals, Shaft *shaft) {
     }
     shaft->apex = intervals->target;
     shaft->vector_count = SHAFT_VECTORS;
-}
-
-bool shaft_misses(const Shaft *shaft, const Shape *shape) {
-    bool is_missed = false;
-    for (int i = 0; i < shaft->vector_count && !is_missed; i++) {
-        real reach = shape->class->support(shape, shaft->apex, shaft->inward[i]);
-        is_missed = any(reach < -shaft->slack[i]);
-    }
-    return is_missed;
 }

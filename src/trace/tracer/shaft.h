@@ -25,15 +25,36 @@ typedef struct Shaft {
     real slack[SHAFT_VECTORS];  /**< See above; 0 or more. */
 } Shaft;
 
-/** Finds the shaft of a beam: its sides, a little farther apart, so that rays and roundings are
- *  within. A beam that is not narrow, or a single ray, has no planes. */
-void beam_shaft(const Beam *beam, Shaft *shaft);
+/** Finds the shaft of a beam: its sides. Rays may be beside them by #NARROW_BEAM_SLACK, which
+ * supports contain. A beam that is not narrow, or a single ray, has no planes. */
+INLINE void beam_shaft(const Beam *beam, Shaft *shaft) {
+    const Vec3 axis = vec3_splat(beam->axis), across = vec3_splat(beam->across),
+               up = vec3_splat(beam->up);
+    // One side of the beam per lane: right, left, upper, lower. Further lanes repeat them.
+    const mask is_up = (lane_numbers() & 2) == 2, is_opposite = (lane_numbers() & 1) == 1;
+    Vec3 sideways = vec3_select(is_up, up, across), along = vec3_select(is_up, across, up);
+    real sign = real_select(is_opposite, real_of(-1), real_of(1));
+    Vec3 normal = vec3_cross(vec3_add(axis, vec3_scale(sideways, sign)), along);
+    real inwards = real_select(vec3_dot(normal, axis) < 0, real_of(-1), real_of(1));
+    const bool has_width = vec3s_abs_sum(beam->across) > 0 && vec3s_abs_sum(beam->up) > 0;
+    shaft->apex = beam->origin;
+    shaft->vector_count = has_width && beam_is_narrow(beam) ? 1 : 0;
+    shaft->inward[0] = vec3_scale(normal, inwards);
+    shaft->slack[0] = real_of(0);
+}
 
 /** Finds the shaft of rays that end at a point: planes along one axis each, which touch the box
  * of the origins. @param intervals Those of the rays; they have a #PacketIntervals.region. */
 void intervals_shaft(const PacketIntervals *intervals, Shaft *shaft);
 
 /** @return Whether all rays in a shaft surely miss a shape, which has a #ShapeClass.support. */
-bool shaft_misses(const Shaft *shaft, const Shape *shape);
+INLINE bool shaft_misses(const Shaft *shaft, const Shape *shape) {
+    bool is_missed = false;
+    for (int i = 0; i < shaft->vector_count && !is_missed; i++) {
+        real reach = shape->class->support(shape, shaft->apex, shaft->inward[i]);
+        is_missed = any(reach < -shaft->slack[i]);
+    }
+    return is_missed;
+}
 
 #endif

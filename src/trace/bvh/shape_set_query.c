@@ -43,27 +43,21 @@ static Candidates linear_candidates(const ShapeSet *set, const PacketIntervals *
     return candidates;
 }
 
-/** A shaft that the first test of a shape computes. */
-typedef struct LazyShaft {
-    Shaft shaft; /**< The shaft. */
-    bool is_set; /**< Whether it is computed. */
-} LazyShaft;
-
-/** @return Whether all rays of a beam surely miss a shape. @param[in,out] sides Its shaft. */
-INLINE bool beam_misses_shape(const Beam *beam, LazyShaft *sides, const Shape *shape) {
+/** @return Whether all rays of a beam surely miss a shape. @param[in,out] sides Its shaft, which is
+ *  set by the first shape that asks for it. */
+INLINE bool beam_misses_shape(const Beam *beam, Shaft *sides, const Shape *shape) {
     if (!shape->class->support) {
         return false;
     }
-    if (!sides->is_set) {
-        beam_shaft(beam, &sides->shaft);
-        sides->is_set = true;
+    if (sides->vector_count == SHAFT_NOT_SET) {
+        beam_shaft(beam, sides);
     }
-    return shaft_misses(&sides->shaft, shape);
+    return shaft_misses(sides, shape);
 }
 
 /** @return Whether all rays to a point surely miss a shape. @param intervals Those of the rays.
- * @param [in,out] sides Their shaft. */
-INLINE bool intervals_miss_shape(const PacketIntervals *intervals, LazyShaft *sides,
+ *  @param[in,out] sides Their shaft. */
+INLINE bool intervals_miss_shape(const PacketIntervals *intervals, Shaft *sides,
                                  const Shape *shape) {
     const ShapeClass *class = shape->class;
     if (!intervals->has_region) {
@@ -78,17 +72,16 @@ INLINE bool intervals_miss_shape(const PacketIntervals *intervals, LazyShaft *si
     if (!class->support) {
         return false;
     }
-    if (!sides->is_set) {
-        intervals_shaft(intervals, &sides->shaft);
-        sides->is_set = true;
+    if (sides->vector_count == SHAFT_NOT_SET) {
+        intervals_shaft(intervals, sides);
     }
-    return shaft_misses(&sides->shaft, shape);
+    return shaft_misses(sides, shape);
 }
 
 /** @return The bits of the candidates that may occlude rays: without those that all rays miss.
  *  @param excluded Another shape that they miss; NULL: there is none. */
 INLINE unsigned occluding_candidates(const ShapeSet *set, const PacketIntervals *intervals,
-                                     LazyShaft *sides, size_t pack, const Shape *excluded) {
+                                     Shaft *sides, size_t pack, const Shape *excluded) {
     unsigned remaining = linear_candidates(set, intervals, pack).remaining, others = remaining;
     for (; remaining; remaining &= remaining - 1) {
         int i = __builtin_ctz(remaining);
@@ -324,8 +317,8 @@ static PacketIntervals set_intervals(const ShapeSet *set, const Packet *packet) 
 
 bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
                         const Shape *excluded) {
-    LazyShaft sides;
-    sides.is_set = false;
+    Shaft sides;
+    sides.vector_count = SHAFT_NOT_SET;
     bool may_meet = LANES == 1 || set->bvh.nodes || set->may_exceed_box;
     for (size_t pack = 0; !may_meet && pack < aabb_pack_count(set->linear_count); pack++) {
         may_meet = occluding_candidates(set, intervals, &sides, pack, excluded) != 0;
@@ -335,8 +328,8 @@ bool shape_set_may_meet(const ShapeSet *set, const PacketIntervals *intervals,
 
 void shape_set_find_in_beam(const ShapeSet *set, const Beam *beam, BeamCandidates *found) {
     const PacketIntervals intervals = beam_intervals(beam);
-    LazyShaft sides;
-    sides.is_set = false;
+    Shaft sides;
+    sides.vector_count = SHAFT_NOT_SET;
     scalar nearest = INFINITE;
     *found = (BeamCandidates){0, NULL, INFINITE};
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
@@ -364,8 +357,8 @@ void shape_set_narrow_candidates(const ShapeSet *set, const Beam *part,
                                  BeamCandidates *candidates) {
     const Shape *only = beam_only_shape(candidates);
     if (only && only->class->support) {
-        LazyShaft sides;
-        sides.is_set = false;
+        Shaft sides;
+        sides.vector_count = SHAFT_NOT_SET;
         candidates->count = !beam_misses_shape(part, &sides, only);
         candidates->nearest = candidates->count ? only : NULL;
     } else if (candidates->count > 0) {
@@ -394,8 +387,8 @@ void shape_set_update_hits(const ShapeSet *set, const Packet *packet, Hit *hits)
         return;
     }
     const PacketIntervals intervals = set_intervals(set, packet);
-    LazyShaft sides;
-    sides.is_set = false;
+    Shaft sides;
+    sides.vector_count = SHAFT_NOT_SET;
     for (size_t pack = 0; pack < aabb_pack_count(set->linear_count); pack++) {
         Candidates candidates = linear_candidates(set, &intervals, pack);
         while (candidates.remaining) {
@@ -421,8 +414,8 @@ void shape_set_occluded(const ShapeSet *set, const Packet *packet, const PacketI
     PacketIntervals intervals = known ? *known : set_intervals(set, packet);
     // Such a shape may be hit outside its box.
     intervals.has_region = intervals.has_region && !set->may_exceed_box;
-    LazyShaft sides;
-    sides.is_set = false;
+    Shaft sides;
+    sides.vector_count = SHAFT_NOT_SET;
     for (int v = 0; v < packet_vector_count(packet); v++) {
         occluded[v] = mask_of(false);
     }

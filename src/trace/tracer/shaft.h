@@ -16,6 +16,8 @@
 enum { SHAFT_PLANES = 6 };
 /** Vectors with a plane in each lane. */
 enum { SHAFT_VECTORS = (SHAFT_PLANES + LANES - 1) / LANES };
+/** #Shaft.vector_count of a shaft that is computed when a shape asks for it. */
+enum { SHAFT_NOT_SET = -1 };
 
 /** A shaft: all points p of the rays have inward . (p - apex) >= -slack for each plane. */
 typedef struct Shaft {

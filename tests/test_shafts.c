@@ -5,28 +5,11 @@
  */
 #include "shafts/shafts.h"
 
-#include "testing.h"
-
 /** See engine_checks.h. */
 #define ENGINE_CHECKS ShaftChecks
 /** See engine_checks.h. */
 #define ENGINE_CHECKS_OF(name) shafts_##name
-#include "engine_checks.h"
-
-/** Runs a check in all engines that have what it checks. */
-static void run_check(ShaftCheck check) {
-    Error error = {0};
-    for (size_t i = 0; i < COUNT(all_checks); i++) {
-        const ShaftChecks *checks = all_checks[i].checks;
-        bool is_there = checks->run[check] && engine_find(all_checks[i].engine, &error);
-        for (uint64_t seed = 1; is_there && seed <= 3; seed++) {
-            const char *fault = checks->run[check](seed);
-            if (fault) {
-                fail_msg("%s: %s", all_checks[i].engine, fault);
-            }
-        }
-    }
-}
+#include "seeded_checks.h"
 
 /** @param state Not used. */
 static void test_support(void **state) {

@@ -15,8 +15,8 @@ typedef enum ShaftCheck {
                     all of them miss by a little more, mostly. */
     SHAFT_POINT, /**< The same for rays to a point, and spheres beside a plane along an axis. */
     SHAFT_CONE,  /**< The same for spheres beside the cone around such rays. */
-    SHAFT_PLANE, /**< Rays to a point that miss a plane by little do not meet it, and those that
-                    meet it do not miss it. */
+    SHAFT_PLANE, /**< No ray to a point meets a plane that has all of them on one side; many planes
+                    have. */
     SHAFT_CHECK_COUNT
 } ShaftCheck;
 

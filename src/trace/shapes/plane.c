@@ -67,11 +67,6 @@ static const PlaneEquation *plane_plane(const Shape *self) {
     return &((const Plane *)self)->equation;
 }
 
-/** See #ShapeClass.covers. */
-static bool plane_covers(const Shape *self, const Beam *beam) {
-    return plane_equation_farthest(plane_plane(self), beam) < INFINITE;
-}
-
 /** See #ShapeClass.beam_hits. A ray that does not meet the plane has a negative or infinite
  *  distance, which is no hit. */
 static bool plane_beam_hits(const Shape *self, const Packet *packet, Hit *hits) {
@@ -110,7 +105,6 @@ const ShapeClass plane_class = {
     .init = plane_init,
     .is_hit = plane_is_hit,
     .is_occluding = plane_is_occluding,
-    .covers = METHOD_OF_BEAMS(plane_covers),
     .plane = METHOD_OF_BEAMS(plane_plane),
     .beam_hits = METHOD_OF_BEAMS(plane_beam_hits),
     .bounds = plane_bounds,

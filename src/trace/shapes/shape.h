@@ -127,11 +127,12 @@ typedef struct ShapeClass {
      *  intervals Those of the rays; they have a #PacketIntervals.region. */
     bool (*misses_to_point)(const Shape *self, const PacketIntervals *intervals);
 
-    /** @return Whether the lines of all rays of a beam surely meet it. NULL: nobody knows. */
+    /** @return Whether the lines of all rays of a beam surely meet it. NULL: nobody knows; with a
+     *  #plane, those do that meet the plane. */
     bool (*covers)(const Shape *self, const Beam *beam);
 
     /** @return The plane in which the shape lies: its hits are plane_equation_surface(). NULL:
-     * none. A class with a plane has #covers. */
+     *  none. */
     const PlaneEquation *(*plane)(const Shape *self);
 
     /** #is_hit for all rays of a packet with a beam: to the bit the same, for less. NULL: there is

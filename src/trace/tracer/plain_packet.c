@@ -47,7 +47,7 @@ typedef struct PlainLight {
     real distance_squared[PACKET_VECTORS]; /**< Scene units squared. */
     bool is_any_lit;                       /**< Whether any point faces the lamp. */
     bool is_all_lit;                       /**< Whether all do. */
-    bool is_all_leaving;                   /**< Whether all do so far that rays to the lamp surely
+    bool is_all_leaving;                   /**< Whether the rays from all of them to the lamp surely
                                                 leave the surface: see #LEAVING_SLACK. */
 } PlainLight;
 
@@ -134,12 +134,14 @@ static bool plain_points_light(const Tracer *tracer, const PlainPoints *points, 
 static const PlaneEquation *plain_plane(const Tracer *tracer, const Beam *beam,
                                         const BeamCandidates *candidates) {
     const Shape *shape = candidates->nearest;
-    if (!shape->class->plane || tracer->materials[shape->material].traits) {
+    const ShapeClass *class = shape->class;
+    if (!class->plane || tracer->materials[shape->material].traits) {
         return NULL;
     }
-    const PlaneEquation *plane = shape->class->plane(shape);
+    const PlaneEquation *plane = class->plane(shape);
     scalar farthest = plane_equation_farthest(plane, beam);
-    return farthest < candidates->next_distance && shape->class->covers(shape, beam) ? plane : NULL;
+    bool is_whole = !class->covers || class->covers(shape, beam);
+    return farthest < candidates->next_distance && is_whole ? plane : NULL;
 }
 
 /* --- tiles ------------------------------------------------------------------------------------ */

@@ -140,7 +140,7 @@ INLINE void pack_clip(PackReal *near, PackReal *far, PackReal enter, PackReal le
 }
 
 /**
- * #slab_span_ordered for one ray and the boxes of a pack, in engines of one lane.
+ * #slab_span for one ray and the boxes of a pack, in engines of one lane.
  * @param limit      The largest distance.
  * @param vectors    Number of #PackReal with boxes in them.
  * @param[out] near  Lower bounds on the distances in the boxes.

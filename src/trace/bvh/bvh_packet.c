@@ -60,8 +60,9 @@ INLINE bool packet_traversal_test_child(const PacketTraversal *traversal, const 
     for (int v = 0; v < PACKET_VECTORS; v++) {
         hit_lanes->bits[v] = 0;
         if (lanes->bits[v]) {
-            SlabSpan span =
-                slab_span(&traversal->packet->rays[v], box, traversal->limits[v], mixed_axes);
+            const Ray *ray = &traversal->packet->rays[v];
+            SlabSpan span = slab_span(ray->origin, ray->inverse_direction, box, &SLAB_ORDERS[0],
+                                      mixed_axes, traversal->limits[v]);
             unsigned bits = real_less_equal_bits(span.near, span.far) & lanes->bits[v];
             hit_lanes->bits[v] = (uint16_t)bits;
             hit_bits |= bits;

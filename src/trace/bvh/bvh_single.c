@@ -75,8 +75,8 @@ INLINE mask single_traversal_meets(const SingleTraversal *traversal, const BvhNo
                                    real *near) {
     Vec3 origin = vec3_splat_lane(&traversal->ray->origin, traversal->lane);
     Vec3 inverse = vec3_splat_lane(&traversal->ray->inverse_direction, traversal->lane);
-    SlabSpan span = slab_span_ordered(origin, inverse, &node->bounds[b],
-                                      &SLAB_ORDERS[traversal->octant], real_of(traversal->limit));
+    SlabSpan span = slab_span(origin, inverse, &node->bounds[b], &SLAB_ORDERS[traversal->octant], 0,
+                              real_of(traversal->limit));
     *near = span.near;
     return span.near <= span.far;
 }

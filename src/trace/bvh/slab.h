@@ -41,55 +41,6 @@ INLINE void slab_clip(real *near, real *far, real low, real high, real origin, r
     slab_clip_ordered(near, far, enter, leave, origin, inverse);
 }
 
-/** The parts of rays in their boxes, enlarged by #SLAB_SLACK: empty where near is beyond far. */
-typedef struct SlabSpan {
-    real near; /**< Lower bounds on the distances where rays enter. */
-    real far;  /**< Upper bounds on those where they leave. */
-} SlabSpan;
-
-/** The bits of all axes: see slab_span(). */
-enum { ALL_AXES = 7 };
-
-/** #slab_clip if the rays go both ways along the axis, else #slab_clip_ordered. */
-INLINE void slab_clip_axis(real *near, real *far, real low, real high, real origin, real inverse,
-                           bool is_mixed) {
-    if (is_mixed) {
-        slab_clip(near, far, low, high, origin, inverse);
-    } else {
-        slab_clip_ordered(near, far, low, high, origin, inverse);
-    }
-}
-
-/**
- * @return The parts of rays in their boxes, before their limits.
- * @param boxes       The boxes. Along an axis that is not mixed, the planes that rays meet first
- * are in the place of the lowest coordinates.
- * @param limit       Largest distances.
- * @param mixed_axes  Bit i is set where rays may go both ways along axis i.
- */
-INLINE SlabSpan slab_span(const Ray *ray, const Aabb *boxes, real limit, unsigned mixed_axes) {
-    const real *planes = boxes->planes;
-    real near = real_of(0), far = limit;
-    slab_clip_axis(&near, &far, planes[0], planes[3], ray->origin.x, ray->inverse_direction.x,
-                   mixed_axes & 1);
-    slab_clip_axis(&near, &far, planes[1], planes[4], ray->origin.y, ray->inverse_direction.y,
-                   mixed_axes & 2);
-    slab_clip_axis(&near, &far, planes[2], planes[5], ray->origin.z, ray->inverse_direction.z,
-                   mixed_axes & 4);
-    return (SlabSpan){near * (1 - SLAB_SLACK), far * (1 + SLAB_SLACK)};
-}
-
-/**
- * @return The lanes whose ray meets its box before its limit.
- * @param limit      Largest distances.
- * @param[out] near  Lower bounds on the distances in the boxes.
- */
-INLINE mask slab_intersects(const Ray *ray, const Aabb *boxes, real limit, real *near) {
-    SlabSpan span = slab_span(ray, boxes, limit, ALL_AXES);
-    *near = span.near;
-    return span.near <= span.far;
-}
-
 /** The planes of a box in the order in which rays meet them: indices in #Aabb.planes. */
 typedef struct SlabOrder {
     size_t enter[3]; /**< The first of each pair. */
@@ -111,16 +62,49 @@ INLINE unsigned octant_of(const Vec3 *inverse, int lane) {
            (real_at(&inverse->z, lane) < 0 ? 4u : 0u);
 }
 
-/** #slab_span for rays that all meet the planes in the same order. */
-INLINE SlabSpan slab_span_ordered(Vec3 origin, Vec3 inverse, const Aabb *boxes,
-                                  const SlabOrder *order, real limit) {
-    const real *planes = boxes->planes;
-    const size_t *enter = order->enter, *leave = order->leave;
+/** The parts of rays in their boxes, enlarged by #SLAB_SLACK: empty where near is beyond far. */
+typedef struct SlabSpan {
+    real near; /**< Lower bounds on the distances where rays enter. */
+    real far;  /**< Upper bounds on those where they leave. */
+} SlabSpan;
+
+/** The bits of all axes: see slab_span(). */
+enum { ALL_AXES = 7 };
+
+/**
+ * @return The parts of rays in their boxes, before their limits.
+ * @param inverse     1 / direction.
+ * @param order       The order in which they meet the planes along the axes that are not mixed.
+ * @param mixed_axes  Bit i is set where rays may go both ways along axis i: the order of their
+ *                    planes is that of the octant 0.
+ * @param limit       Largest distances.
+ */
+INLINE SlabSpan slab_span(Vec3 origin, Vec3 inverse, const Aabb *boxes, const SlabOrder *order,
+                          unsigned mixed_axes, real limit) {
     real near = real_of(0), far = limit;
-    slab_clip_ordered(&near, &far, planes[enter[0]], planes[leave[0]], origin.x, inverse.x);
-    slab_clip_ordered(&near, &far, planes[enter[1]], planes[leave[1]], origin.y, inverse.y);
-    slab_clip_ordered(&near, &far, planes[enter[2]], planes[leave[2]], origin.z, inverse.z);
+    for (int axis = 0; axis < 3; axis++) {
+        const real enter = boxes->planes[order->enter[axis]],
+                   leave = boxes->planes[order->leave[axis]];
+        const real from = vec3_component(&origin, axis), slope = vec3_component(&inverse, axis);
+        if (mixed_axes >> axis & 1) {
+            slab_clip(&near, &far, enter, leave, from, slope);
+        } else {
+            slab_clip_ordered(&near, &far, enter, leave, from, slope);
+        }
+    }
     return (SlabSpan){near * (1 - SLAB_SLACK), far * (1 + SLAB_SLACK)};
+}
+
+/**
+ * @return The lanes whose ray meets its box before its limit.
+ * @param limit      Largest distances.
+ * @param[out] near  Lower bounds on the distances in the boxes.
+ */
+INLINE mask slab_intersects(const Ray *ray, const Aabb *boxes, real limit, real *near) {
+    SlabSpan span =
+        slab_span(ray->origin, ray->inverse_direction, boxes, &SLAB_ORDERS[0], ALL_AXES, limit);
+    *near = span.near;
+    return span.near <= span.far;
 }
 
 /** @return A box in all lanes. */

@@ -210,17 +210,28 @@ static void floor_solid(Scene *scene, uint64_t *state, Vec3d point) {
     }
 }
 
+/** Adds a floor: a quad as large as the room, or a plane without end. */
+static void add_floor(Scene *scene, uint64_t *state, const Floor *floor, bool is_endless) {
+    const double a = HALF, e = 2 * HALF;
+    if (is_endless) {
+        PlaneParameters plane = {{-a, -a, -a}, {-floor->rise_x, 1, -floor->rise_z}};
+        room_material(scene, state);
+        add_shape(scene, "plane", &plane);
+    } else {
+        room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, floor->rise_z * e, e},
+                  (Vec3d){e, floor->rise_x * e, 0});
+    }
+}
+
 /** @return A floor, a camera that looks at a point of it, up to two small shapes around that point,
  *          and two lamps, to be destroyed. Many tiles of it are plain, or nearly so. */
-static Scene *random_floor(uint64_t *state) {
-    const double a = HALF, e = 2 * HALF;
+static Scene *random_floor(uint64_t *state, bool is_endless) {
     Scene *scene = create_empty_scene();
     Floor floor = {0, 0};
     if (random_unit_double(state) < 0.5) {
         floor = (Floor){random_unit_double(state) / 4, random_unit_double(state) / 16};
     }
-    room_quad(scene, state, (Vec3d){-a, -a, -a}, (Vec3d){0, floor.rise_z * e, e},
-              (Vec3d){e, floor.rise_x * e, 0});
+    add_floor(scene, state, &floor, is_endless);
     Vec3d target = {random_float(state, -1, 1), 0, 0};
     target.y = floor_height(&floor, target.x, target.z);
     for (int i = (int)(3 * random_unit_double(state)); i > 0; i--) {
@@ -272,7 +283,8 @@ static void draw_room(const Engine *first, int room) {
     static double wanted[3 * MOST * MOST], got[3 * MOST * MOST];
     uint64_t state = (uint64_t)room;
     const bool is_floor = room % 16 >= 8;
-    Scene *scene = is_floor ? random_floor(&state) : random_room(&state);
+    const bool is_endless = room % 32 >= 24;
+    Scene *scene = is_floor ? random_floor(&state, is_endless) : random_room(&state);
     if (room % 8 >= 5) { // One of its shapes is turned and stretched.
         uint64_t turn = state;
         transform_last_shape(scene, &turn);

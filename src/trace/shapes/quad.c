@@ -14,6 +14,7 @@ typedef struct Quad {
     PlaneEquation plane; /**< The plane of the quad; its normal is u x v. */
     QuadCorners corners; /**< Its corners. */
     PolygonEdges edges;  /**< The edges between them. */
+    Aabbs bounds;        /**< Bounding box. */
 } Quad;
 
 /** See #ShapeClass.init. */
@@ -27,6 +28,7 @@ static void quad_init(Shape *self, const void *parameters) {
                                           vertex_of(vec3d_add(next, p->v)), vertex_of(last)};
     quad->corners = quad_corners_of(corners);
     quad->edges = quad_edges_of(corners);
+    quad->bounds = vertices_bounds(corners, QUAD_CORNERS);
 }
 
 /** Finds rays whose line passes inside the edges. See #IntersectFunction. */
@@ -36,6 +38,7 @@ INLINE mask quad_intersect(const Shape *self, const Ray *ray, mask active, real 
     const Quad *quad = (const Quad *)self;
     mask inside = quad_contains_ray(&quad->corners, ray, active);
     if (any(inside)) {
+        inside = polygon_keeps_hits(&quad->bounds, ray, inside);
         *distance = plane_equation_distance(&quad->plane, ray);
     }
     return inside;
@@ -79,7 +82,7 @@ static mask quad_is_occluding(const Shape *self, const Ray *ray, mask active, re
 
 /** See #ShapeClass.bounds. */
 static Aabbs quad_bounds(const Shape *self) {
-    return vertices_bounds(((const Quad *)self)->corners.vertices, QUAD_CORNERS);
+    return ((const Quad *)self)->bounds;
 }
 
 /** @return Coordinates of points along the edges u and v. See #ShapeClass.texture_uv. */

@@ -22,6 +22,7 @@ typedef struct Triangle {
     Vec3s normals[TRIANGLE_CORNERS];  /**< Unit normals at the vertices; used if #is_smooth. */
     DualBasis dual_basis;             /**< For the barycentric coordinates of b and c. */
     Uvd uvs[TRIANGLE_CORNERS];        /**< Texture coordinates of the vertices. */
+    Aabbs bounds;                     /**< Bounding box. */
     bool is_smooth;                   /**< Whether normals are interpolated. */
 } Triangle;
 
@@ -57,6 +58,7 @@ static void triangle_init(Shape *self, const void *parameters) {
     triangle->plane = plane_equation_of(vec3d_of(a), vec3sw_cross(b, c));
     triangle->dual_basis = dual_basis_of(b, c);
     memcpy(triangle->uvs, p->uvs, sizeof p->uvs);
+    triangle->bounds = vertices_bounds(triangle->corners, TRIANGLE_CORNERS);
     triangle->is_smooth = p->is_smooth;
     if (p->is_smooth) {
         triangle_init_normals(triangle, p->normals);
@@ -106,6 +108,7 @@ INLINE mask triangle_intersect(const Shape *self, const Ray *ray, mask active, r
     const Triangle *triangle = (const Triangle *)self;
     mask inside = polygon_contains_ray(triangle->corners, TRIANGLE_CORNERS, ray, active);
     if (any(inside)) {
+        inside = polygon_keeps_hits(&triangle->bounds, ray, inside);
         *distance = triangle_distance(triangle, ray);
     }
     return inside;
@@ -144,7 +147,7 @@ static real triangle_support(const Shape *self, Vec3s from, Vec3 directions) {
 
 /** See #ShapeClass.bounds. */
 static Aabbs triangle_bounds(const Shape *self) {
-    return vertices_bounds(((const Triangle *)self)->corners, TRIANGLE_CORNERS);
+    return ((const Triangle *)self)->bounds;
 }
 
 /** @return Interpolated texture coordinates. See #ShapeClass.texture_uv. */

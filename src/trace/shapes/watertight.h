@@ -12,6 +12,7 @@
 #ifndef DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 #define DIOPTRE_TRACE_SHAPES_WATERTIGHT_H
 
+#include "trace/bvh/slab.h"
 #include "trace/math/pack.h"
 #include "trace/shapes/support.h"
 
@@ -292,6 +293,16 @@ static inline bool polygon_covers_beam(const PolygonEdges *edges, const Beam *be
         real_of(vec3s_abs_sum(beam->axis) + vec3s_abs_sum(beam->across) + vec3s_abs_sum(beam->up));
     real least = spread + COVER_SLACK * length * vec3_abs_sum(a) * vec3_abs_sum(b);
     return mask_bits(side > least) == ALL_LANES || mask_bits(-side > least) == ALL_LANES;
+}
+
+/** @return The rays inside the edges of a polygon that meet its bounding box, too. Beside a polygon
+ *  that is smaller than the roundings of the vectors to its vertices, an edge function can have any
+ *  sign: without the box, such a speck is hit from afar. @param inside The rays inside the edges.
+ */
+INLINE mask polygon_keeps_hits(const Aabbs *bounds, const Ray *ray, mask inside) {
+    const Aabb box = aabb_splat(*bounds);
+    real near;
+    return inside & slab_intersects(ray, &box, real_of(INFINITE), &near);
 }
 
 #endif

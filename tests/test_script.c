@@ -288,6 +288,8 @@ static void test_wrong_values(void **state) {
     static const InvalidScene cases[] = {
         {"sphere { radius = 0 }", 1, "radius must be above 0"},
         {"sphere { spot = {0, 2} }", 1, "spot must be at least 0 and at most 1, not 2"},
+        {"sphere { spot = {0, 1.0000001} }", 1,
+         "spot must be at least 0 and at most 1, not 1.0000001"},
         {"sphere { scale = {1, -1e-7, 1} }", 1, "scale must not be nearer to zero than 1e-06"},
         {"sphere { scale = {1, 1, 2e6} }", 1, "scale must be at least -1e+06 and at most 1e+06"},
         {"sphere { rotate = {0, 0/0, 0} }", 1, "rotate must be a finite number"},

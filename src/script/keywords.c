@@ -159,7 +159,7 @@ static void read_shape_fields(lua_State *L, KeywordCall *call) {
 static KeywordCall read_call(lua_State *L, const KeywordFunction *function) {
     const Keyword *const keywords[] = {function->keyword,
                                        function->is_shape ? &transform_keyword : NULL, NULL};
-    read_check_arguments(L, keywords, function->is_shape ? scene_material_keyword.name : NULL);
+    read_check_arguments(L, keywords, function->is_shape ? &scene_material_keyword : NULL);
     KeywordCall call = {.keyword = function->keyword, .kind = function->kind};
     call.values = read_fields(L, function->keyword, &call.origin.given);
     if (function->is_shape) {

@@ -136,6 +136,43 @@ static int library_setmetatable(lua_State *L) {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
+/** Most words that one word of the language stands for. */
+enum { SYNONYMS_MAXIMUM = 5 };
+
+/** A word of the language, and others that people may write for it. */
+typedef struct Synonyms {
+    const char *meant;                   /**< The word of the language. */
+    const char *words[SYNONYMS_MAXIMUM]; /**< The others, ended by NULL if there are fewer. */
+} Synonyms;
+
+/** Words of English and French whose spelling is not near the word of the language. */
+static const Synonyms synonyms[] = {
+    {"sphere", {"ball", "boule"}},
+    {"box", {"cube", "cuboid", "boite", "pave"}},
+    {"quad", {"rectangle", "square", "carre", "parallelogram"}},
+    {"plane", {"floor", "ground", "sol"}},
+    {"cylinder", {"tube", "pipe"}},
+    {"disk", {"circle", "cercle", "disque"}},
+    {"mesh", {"model", "modele", "maillage"}},
+    {"light", {"lamp", "lampe", "lumiere"}},
+    {"ambient", {"ambiante"}},
+    {"sun", {"soleil"}},
+    {"sky", {"background", "fond", "ciel"}},
+    {"distance.torus", {"torus", "tore"}},
+};
+
+/** Suggests the word of the language that a word stands for, if there is one. */
+static void suggest_synonym(Suggestion *suggestion) {
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
+        const char *const *words = synonyms[i].words;
+        for (int w = 0; w < SYNONYMS_MAXIMUM && words[w]; w++) {
+            if (strcmp(suggestion->word, words[w]) == 0) {
+                suggestion->best_match = synonyms[i].meant;
+            }
+        }
+    }
+}
+
 /**
  * Raises an error for an unknown name in a table of the language. An `__index` metamethod; see
  * lua_CFunction.
@@ -156,6 +193,9 @@ static int index_unknown(lua_State *L) {
         if (lua_type(L, -1) == LUA_TSTRING) {
             suggest_try(&suggestion, lua_tostring(L, -1));
         }
+    }
+    if (suggestion.prefix[0] == '\0') {
+        suggest_synonym(&suggestion);
     }
     char hint[SUGGEST_HINT_SIZE];
     return lua_error_tr(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.word,

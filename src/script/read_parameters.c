@@ -56,6 +56,11 @@ static double read_number_in_range(lua_State *L, int index, const Parameter *row
     return value;
 }
 
+/** @return A hint for numbers that a decimal comma has cut in two, translated. */
+static const char *decimal_point_hint(void) {
+    return gettext("; a decimal number has a point: 0.5, not 0,5");
+}
+
 /** Format of a list of numbers. */
 typedef struct NumberList {
     int count;            /**< Number of numbers. */
@@ -104,9 +109,10 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
     for (int i = 0; i < list->count; i++) {
         if (lua_geti(L, index, i + 1) == LUA_TNIL || count > list->count) {
             const char *message = ngettext(
-                "%s must be %s; there is %lld thing between the braces",
-                "%s must be %s; there are %lld things between the braces", (unsigned long)count);
-            lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count);
+                "%s must be %s; there is %lld thing between the braces%s",
+                "%s must be %s; there are %lld things between the braces%s", (unsigned long)count);
+            lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count,
+                         count > list->count ? decimal_point_hint() : "");
         }
         if (lua_type(L, -1) != LUA_TNUMBER) {
             lua_error_tr(L, "%s must be %s; number %d of them is %s", row->name,
@@ -293,11 +299,12 @@ void read_value(lua_State *L, int index, const Parameter *row, void *field) {
 /**
  * Searches a field in keywords.
  * @param keywords            The keywords whose fields are valid in the table, ended by NULL.
- * @param extra               A further valid field; NULL: none.
+ * @param nested              A keyword whose name is a further valid field; NULL: none.
  * @param[in,out] suggestion  The name of the field; if it is unknown, the nearest one is recorded.
  * @return Whether one has it.
  */
-static bool has_field(const Keyword *const *keywords, const char *extra, Suggestion *suggestion) {
+static bool has_field(const Keyword *const *keywords, const Keyword *nested,
+                      Suggestion *suggestion) {
     for (; *keywords; keywords++) {
         for (const Parameter *row = (*keywords)->parameters; row->name; row++) {
             if (strcmp(row->name, suggestion->word) == 0) {
@@ -306,10 +313,25 @@ static bool has_field(const Keyword *const *keywords, const char *extra, Suggest
             suggest_try(suggestion, row->name);
         }
     }
-    if (extra) {
-        suggest_try(suggestion, extra);
+    if (nested) {
+        suggest_try(suggestion, nested->name);
     }
-    return extra && strcmp(extra, suggestion->word) == 0;
+    return nested && strcmp(nested->name, suggestion->word) == 0;
+}
+
+/** Raises an error for a field that the table cannot have. @param nested See #has_field. */
+static void raise_unknown_field(lua_State *L, const char *name, const Keyword *nested,
+                                const Suggestion *unknown) {
+    const Keyword *const nested_only[] = {nested, NULL};
+    Suggestion within = {.word = unknown->word};
+    bool is_nested = nested && has_field(nested_only, NULL, &within);
+    const char *meant = is_nested ? unknown->word : within.best_match;
+    if (meant && (is_nested || !unknown->best_match)) {
+        lua_error_tr(L, "%s has no field `%s`; did you mean `%s = %s { %s = ... }`?", name,
+                     unknown->word, nested->name, nested->name, meant);
+    }
+    char hint[SUGGEST_HINT_SIZE];
+    lua_error_tr(L, "%s has no field `%s`%s", name, unknown->word, suggest_hint(unknown, hint));
 }
 
 /**
@@ -339,38 +361,41 @@ static bool push_field(lua_State *L, const Keyword *keyword, int i) {
     return is_named || is_positional;
 }
 
-void read_check_arguments(lua_State *L, const Keyword *const *keywords, const char *extra) {
+void read_check_arguments(lua_State *L, const Keyword *const *keywords, const Keyword *nested) {
     const char *name = keywords[0]->name;
     if (lua_gettop(L) != 1 || !lua_istable(L, 1)) {
         lua_error_tr(L, "%s takes its fields in braces: %s { ... }", name, name);
     }
-    read_check_table(L, 1, keywords, extra);
+    read_check_table(L, 1, keywords, nested);
 }
 
-void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra) {
+void read_check_table(lua_State *L, int index, const Keyword *const *keywords,
+                      const Keyword *nested) {
     const char *name = keywords[0]->name;
     // Lua's order of keys is another in each run; of several errors, the first by name is told.
-    bool has_nameless = false;
+    bool has_nameless = false, has_nameless_number = false;
     Suggestion unknown = {0};
     lua_pushnil(L);
     while (lua_next(L, index)) {
+        bool is_number = lua_type(L, -1) == LUA_TNUMBER;
         lua_pop(L, 1);
         bool is_named = lua_type(L, -1) == LUA_TSTRING;
         Suggestion suggestion = {.word = is_named ? lua_tostring(L, -1) : NULL};
         if (!is_named) {
             has_nameless = has_nameless || !is_positional_key(L, keywords[0]);
-        } else if (!has_field(keywords, extra, &suggestion) &&
+            has_nameless_number = has_nameless_number || is_number;
+        } else if (!has_field(keywords, nested, &suggestion) &&
                    (!unknown.word || strcmp(suggestion.word, unknown.word) < 0)) {
             unknown = suggestion;
         }
     }
     if (has_nameless) {
-        lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none", name,
-                     keywords[0]->parameters->name);
+        lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none%s", name,
+                     keywords[0]->parameters->name,
+                     has_nameless_number ? decimal_point_hint() : "");
     }
     if (unknown.word) {
-        char hint[SUGGEST_HINT_SIZE];
-        lua_error_tr(L, "%s has no field `%s`%s", name, unknown.word, suggest_hint(&unknown, hint));
+        raise_unknown_field(L, name, nested, &unknown);
     }
 }
 

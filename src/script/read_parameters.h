@@ -14,18 +14,19 @@
  * has.
  * @param L         The state; the table is the only argument.
  * @param keywords  The keyword, and others whose fields are valid there; NULL ends the list.
- * @param extra     A field that the caller reads itself; NULL: none.
+ * @param nested    A keyword whose name is a field that the caller reads itself; NULL: none.
  */
-void read_check_arguments(lua_State *L, const Keyword *const *keywords, const char *extra);
+void read_check_arguments(lua_State *L, const Keyword *const *keywords, const Keyword *nested);
 
 /**
  * Checks the names of fields in a table. See #read_check_arguments.
  * @param L         The state.
  * @param index     Stack index of the table, from the bottom.
  * @param keywords  The keywords; NULL ends the list.
- * @param extra     A further valid field; NULL: none.
+ * @param nested    A keyword whose name is a further valid field; NULL: none.
  */
-void read_check_table(lua_State *L, int index, const Keyword *const *keywords, const char *extra);
+void read_check_table(lua_State *L, int index, const Keyword *const *keywords,
+                      const Keyword *nested);
 
 /**
  * Reads the fields of a keyword. Raises an error for a field of the wrong type, out of range or

@@ -142,7 +142,8 @@ static void test_order_of_keys(void **state) {
         {"say(select(2, pcall(sphere, { zz = 1, yy = 2, xx = 3, ww = 4, vv = 5 })))",
          "sphere has no field `vv`"},
         {"say(select(2, pcall(sphere, { zz = 1, 2, [print] = 3 })))",
-         "sphere takes fields with names, such as `center = ...`; one has none"},
+         "sphere takes fields with names, such as `center = ...`; one has none; a decimal number "
+         "has a point: 0.5, not 0,5"},
     };
     assert_same_texts(state, cases, COUNT(cases));
 }

@@ -193,6 +193,21 @@ static void check_kept(Browser *browser, const ViewSettings *settings) {
     browser_close(browser);
 }
 
+/** Opened from a scene in another folder, the list has the lessons of the program, too. */
+static void check_other_folder(Browser *browser, const ViewSettings *settings) {
+    assert_true(browser_open(browser, settings, 0, "tests/scenes/bubbles.lua"));
+    while (scene_list_is_busy(&browser->list)) {
+        SDL_Delay(1);
+    }
+    assert_string_equal(browser->list.scenes[0].path, "tests/scenes/bright-panel.lua");
+    size_t lessons = 0;
+    for (size_t i = 0; i < browser->list.count; i++) {
+        lessons += browser->list.scenes[i].is_lesson;
+    }
+    assert_true(lessons > 0);
+    browser_close(browser);
+}
+
 /** The footer says how long a lesson is, and how it begins. */
 static void check_footer(Fixture *fixture, Browser *browser) {
     const GuiText *texts;
@@ -278,6 +293,7 @@ static void check_list(Fixture *fixture) {
     check_search(browser);
     check_parts(browser);
     check_kept(browser, &settings);
+    check_other_folder(browser, &settings);
 }
 
 /** The help. */

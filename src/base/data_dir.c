@@ -1,17 +1,32 @@
 /**
  * @file
- * @brief Folders of installed data.
+ * @brief Folders of the program's data.
  */
 #include "base/data_dir.h"
 
 #include "base/executable_dir.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
-bool data_dir_scenes(char folder[PATH_MAX]) {
-    char executable[PATH_MAX];
+/** Finds a folder by its path from that of the program. @param[out] folder The folder, without
+ *  links and dots. @return Whether it exists. */
+static bool find_folder(const char *path, char folder[PATH_MAX]) {
+    char executable[PATH_MAX], joined[PATH_MAX];
     return executable_dir(executable) &&
-           snprintf(folder, PATH_MAX, "%s/../share/dioptre/scenes", executable) < PATH_MAX &&
-           access(folder, R_OK | X_OK) == 0;
+           snprintf(joined, sizeof joined, "%s/%s", executable, path) < PATH_MAX &&
+           realpath(joined, folder) && access(folder, R_OK | X_OK) == 0;
+}
+
+bool data_dir_installed_scenes(char folder[PATH_MAX]) {
+    return find_folder("../share/dioptre/scenes", folder);
+}
+
+bool data_dir_scenes(char folder[PATH_MAX]) {
+    char lessons[PATH_MAX];
+    return data_dir_installed_scenes(folder) ||
+           // The folder of a build, or one in it; another folder of this name has no lessons.
+           (find_folder("../scenes/lessons", lessons) && find_folder("../scenes", folder)) ||
+           (find_folder("../../scenes/lessons", lessons) && find_folder("../../scenes", folder));
 }

@@ -140,7 +140,7 @@ static bool check_file(const App *app, Error *error) {
     if (strcmp(path, "-") == 0) {
         return error_set(error, STATUS_FAILED, "a scene from standard input has no file");
     }
-    bool is_installed = data_dir_scenes(folder) && realpath(path, own) &&
+    bool is_installed = data_dir_installed_scenes(folder) && realpath(path, own) &&
                         strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
     if (is_installed) {
         return error_set(error, STATUS_FAILED,

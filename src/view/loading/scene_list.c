@@ -129,15 +129,15 @@ static void free_kept(SceneList *list) {
     list->kept_count = 0;
 }
 
-/** Finds all scenes and lessons. */
+/** Finds all scenes and lessons: beside the scene, and the program's own. */
 static void find_scenes(SceneList *list) {
-    char installed[PATH_MAX + 1], scene_folder[PATH_MAX], installed_folder[PATH_MAX];
+    char scene_folder[PATH_MAX], program_folder[PATH_MAX], listed[PATH_MAX + 1];
     list_lessons_and_scenes(list, list->folder);
-    if (data_dir_scenes(installed) && realpath(installed, installed_folder) &&
+    if (data_dir_scenes(program_folder) &&
         realpath(list->folder[0] ? list->folder : ".", scene_folder) &&
-        strcmp(scene_folder, installed_folder) != 0) {
-        snprintf(installed, sizeof installed, "%.*s/", PATH_MAX - 1, installed_folder);
-        list_lessons_and_scenes(list, installed);
+        strcmp(scene_folder, program_folder) != 0) {
+        snprintf(listed, sizeof listed, "%s/", program_folder);
+        list_lessons_and_scenes(list, listed);
     }
     free_kept(list);
     atomic_store(&list->is_complete, true);

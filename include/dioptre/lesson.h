@@ -9,6 +9,7 @@
 #define DIOPTRE_LESSON_H
 
 #include "base/error.h"
+#include "dioptre/scene.h"
 
 #include <limits.h>
 #include <stddef.h>
@@ -154,6 +155,13 @@ size_t lesson_block_size(const Lesson *lesson);
  * @return Whether it is valid.
  */
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error);
+
+/**
+ * Checks that a scene has the objects and lights that the steps of a lesson name.
+ * @param[out] error  What is missing (#STATUS_SCENE).
+ * @return Whether it has.
+ */
+bool lesson_check_scene(const Lesson *lesson, const Scene *scene, Error *error);
 
 /** Frees a lesson. @param lesson The lesson, or NULL. */
 void lesson_destroy(Lesson *lesson);

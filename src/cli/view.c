@@ -91,6 +91,12 @@ static RenderSettings own_settings(const SceneSource *source, const Options *opt
     return command_render_settings(&own, scene);
 }
 
+/** Checks that a scene has what its lesson names. @param path The lesson's file. */
+static bool check_lesson_objects(const Lesson *lesson, const char *path, const Scene *scene,
+                                 Error *error) {
+    return lesson_check_scene(lesson, scene, error) || error_prefix(error, "%s: ", path);
+}
+
 /**
  * Loads a scene, or a lesson with its scene. See #ViewLoader.
  * @param stop  Loading ends early once this is true.
@@ -127,6 +133,10 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
                                                          .override_count = request->override_count},
                                              error)
                          : NULL;
+    if (scene && *lesson && !check_lesson_objects(*lesson, request->path, scene, error)) {
+        scene_destroy(scene);
+        scene = NULL;
+    }
     if (scene) {
         *render = needs_new_cache ? command_print_notes(&options, scene)
                                   : command_render_settings(&options, scene);
@@ -189,11 +199,11 @@ static void show_scene(const Options *options, const Options *command_line, cons
     const ViewRequest first = {.time = options->time};
     RenderSettings own;
     Scene *scene = load_scene(&source, &first, NULL, &settings.render, &own, &none, error);
-    if (scene) {
+    if (scene && (!lesson || check_lesson_objects(lesson, options->lesson, scene, error))) {
         settings.own = &own;
         error->status = view_run(scene, &settings, interrupt_flag(), error);
-        scene_destroy(scene);
     }
+    scene_destroy(scene);
     asset_cache_destroy(source.cache);
 }
 

@@ -5,7 +5,6 @@
 #include "dioptre/lesson.h"
 
 #include "base/untrusted.h"
-#include "dioptre/scene.h"
 #include "dioptre/scene_override.h"
 
 #include <string.h>
@@ -33,6 +32,36 @@ Lesson *lesson_create_at(void *address, Error *error) {
     }
     lesson->initial_settings = (LessonSettings){.depth = -1, .offset = -1, .epsilon = -1};
     return lesson;
+}
+
+/** #LessonStep.time of a second. */
+static const double MILLISECONDS_PER_SECOND = 1000;
+
+/** @return Whether a scene has what a step names: an object or a light. */
+static bool check_step_in_scene(const LessonStep *step, const Scene *scene, Error *error) {
+    SceneObject object;
+    bool is_object =
+        step->kind == LESSON_SELECT || step->kind == LESSON_SET || step->kind == LESSON_MOVE;
+    if (is_object && step->action > 0 &&
+        !scene_object_find(scene, step->keyword, step->action, &object)) {
+        return error_set(error, STATUS_SCENE, "the scene has no `%s` number %d",
+                         scene_object_keyword(step->keyword)->name, step->action);
+    }
+    if (step->kind == LESSON_DRAG && (size_t)step->action >= scene->light_count) {
+        return error_set(error, STATUS_SCENE, "the scene has no light number %d", step->action + 1);
+    }
+    return true;
+}
+
+bool lesson_check_scene(const Lesson *lesson, const Scene *scene, Error *error) {
+    for (size_t i = 0; i < lesson->count; i++) {
+        const LessonStep *step = &lesson->steps[i];
+        if (!check_step_in_scene(step, scene, error)) {
+            return error_prefix(error, "after %g s, ",
+                                (double)step->time / MILLISECONDS_PER_SECOND);
+        }
+    }
+    return true;
 }
 
 void lesson_destroy(Lesson *lesson) {

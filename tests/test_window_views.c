@@ -619,6 +619,45 @@ static void test_toolbar_changes(void **state) {
     check_toolbar_changes(*state);
 }
 
+/** Checks that letters and bar of a window agree after some frames, and stay as they are. */
+static void check_settled(Fixture *fixture, int width, int height) {
+    /** Frames in which they settle, and frames in which they must not change. */
+    enum { SETTLING = 16, SETTLED = 6 };
+    Window *window = &fixture->window;
+    SDL_SetWindowSize(window->sdl.window, width, height);
+    SDL_PumpEvents();
+    window_on_resize(window);
+    window->toolbar.is_folded = false;
+    for (int i = 0; i < SETTLING; i++) {
+        window_present(window);
+    }
+    const SDL_Rect picture = window_picture_rect(window);
+    const float letters = window_text_size(window);
+    for (int i = 0; i < SETTLED; i++) {
+        window_present(window);
+        const SDL_Rect now = window_picture_rect(window);
+        assert_memory_equal(&now, &picture, sizeof picture);
+        assert_true(window_text_size(window) == letters);
+    }
+}
+
+/** In no size of the window do bar and picture change for ever. */
+static void test_settling(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    for (int language = 0; language < 2; language++) {
+        language_toggle();
+        for (int height = 500; height <= 900; height += 61) {
+            for (int width = 780; width <= 1500; width += 80) {
+                check_settled(fixture, width, height);
+            }
+        }
+    }
+    set_size(&fixture->window, sizes[0][0], sizes[0][1]);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -628,6 +667,7 @@ int main(void) {
         cmocka_unit_test(test_presentation),    cmocka_unit_test(test_ray_layout),
         cmocka_unit_test(test_still_bar),       cmocka_unit_test(test_readout),
         cmocka_unit_test(test_two_legends),     cmocka_unit_test(test_lamp_names),
+        cmocka_unit_test(test_settling),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);
 }

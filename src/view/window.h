@@ -58,6 +58,19 @@ typedef struct ToolbarChange {
     SDL_Point after;     /**< The same, after it. */
 } ToolbarChange;
 
+/** The height of letters. The bar grows with it, and it shrinks with the height that the bar
+ *  leaves: it has to settle. Starts as `{0}`. */
+typedef struct TextFit {
+    SDL_Point window;   /**< Size of the window that it is for, screen units. */
+    double text_scale;  /**< #Window.text_scale then. */
+    bool is_folded;     /**< Whether the bar was folded. */
+    bool is_presenting; /**< Whether the window was made for a class. */
+    bool has_lesson;    /**< Whether the panel of a lesson was shown. */
+    bool shows_rays;    /**< Whether rays were shown. */
+    bool has_grown;     /**< Whether letters have grown since one of these changed. */
+    float height;       /**< Height of letters, screen units. */
+} TextFit;
+
 /** What a frame says of the pixel under the mouse, or of the one that is magnified. Starts as
  * `{0}`.
  */
@@ -110,6 +123,7 @@ typedef struct Window {
                                             seconds. */
     WindowState state;                 /**< What they show. */
     double text_scale;                 /**< Factor of the size of letters; 0: 1. */
+    TextFit text_fit;                  /**< Their height. */
     Latency latency;                   /**< The latency from keys to pictures. */
     double first_present_time; /**< When the first picture was on screen, seconds; 0: not yet. */
     bool is_hidden;            /**< Whether the window is hidden or minimized. */

@@ -34,7 +34,10 @@ GuiRect window_area_below_button(const Window *window);
 /** @return The same with the part of the lesson's panel: for what covers both. */
 GuiRect window_whole_below_button(const Window *window);
 
-/** @return The height of letters, screen units. The bar does not count, as it grows with them. */
+/** Finds the height of letters of the next frame, by the height below the bar. */
+void window_settle_text_size(Window *window);
+
+/** @return The height of letters of this frame, screen units. */
 float window_text_size(const Window *window);
 
 /** Folds the bar if it takes too much of the window. @return Whether it did. */

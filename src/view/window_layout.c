@@ -5,6 +5,7 @@
 #include "view/window_internal.h"
 
 #include <libintl.h>
+#include <math.h>
 
 /** Rows of text that fill the height below the toolbar: with a toolbar of three rows, letters are
  *  still 1/30 of the window, which can be read from the last row of a class. */
@@ -153,7 +154,15 @@ GuiRect window_whole_below_button(const Window *window) {
     return below_button(window, window_area_below_toolbar(window));
 }
 
-float window_text_size(const Window *window) {
+/** @return Size of the window, screen units. */
+static SDL_Point size_in_units(const Window *window) {
+    SDL_Point size;
+    SDL_GetWindowSize(window->sdl.window, &size.x, &size.y);
+    return size;
+}
+
+/** @return The height of letters that the bar leaves room for, screen units. */
+static float roomy_text_size(const Window *window) {
     int width = 0, height = 0;
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
@@ -165,6 +174,42 @@ float window_text_size(const Window *window) {
                            : ROWS_BELOW_TOOLBAR;
     // Whole units: the bar keeps its height while the window gains a pixel.
     return ceilf((float)scale * SDL_max(TEXT_SIZE_MINIMUM, (float)height / rows));
+}
+
+/** @return The layout of the window, its letters not settled yet. */
+static TextFit new_text_fit(const Window *window) {
+    return (TextFit){.window = size_in_units(window),
+                     .text_scale = window->text_scale,
+                     .is_folded = window->toolbar.is_folded,
+                     .is_presenting = window->is_presenting,
+                     .has_lesson = window->lesson_panel.lesson != NULL,
+                     .shows_rays = window->ray_view.is_open};
+}
+
+/** @return Whether two layouts may have letters of the same height. */
+static bool is_same_layout(const TextFit *a, const TextFit *b) {
+    return a->window.x == b->window.x && a->window.y == b->window.y &&
+           a->text_scale == b->text_scale && a->is_folded == b->is_folded &&
+           a->is_presenting == b->is_presenting && a->has_lesson == b->has_lesson &&
+           a->shows_rays == b->shows_rays;
+}
+
+void window_settle_text_size(Window *window) {
+    const TextFit fit = new_text_fit(window);
+    if (!is_same_layout(&fit, &window->text_fit)) {
+        window->text_fit = fit;
+    }
+    float size = roomy_text_size(window);
+    // With larger letters the bar may need another row, which leaves room for smaller ones, and
+    // with these it needs a row less: this would go on for ever. Letters that have grown do not
+    // shrink.
+    float before = window->text_fit.height;
+    window->text_fit.height = window->text_fit.has_grown ? fmaxf(size, before) : size;
+    window->text_fit.has_grown = window->text_fit.has_grown || (before > 0 && size > before);
+}
+
+float window_text_size(const Window *window) {
+    return window->text_fit.height;
 }
 
 /* --- the size of the window ------------------------------------------------------------------- */
@@ -262,13 +307,6 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     } else if (window->gui) {
         window_present(window);
     }
-}
-
-/** @return Size of the window, screen units. */
-static SDL_Point size_in_units(const Window *window) {
-    SDL_Point size;
-    SDL_GetWindowSize(window->sdl.window, &size.x, &size.y);
-    return size;
 }
 
 /** @return A change of the toolbar that begins. */

@@ -198,6 +198,7 @@ void window_show_widgets(Window *window) {
         return;
     }
     SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    window_settle_text_size(window);
     gui_begin_frame(window->gui, window_text_size(window));
     show_toolbar(window);
     show_cursor(window);

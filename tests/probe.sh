@@ -7,7 +7,7 @@ size=160x120
 
 # pixel FILE X Y: the steps of a pixel of a BMP file of that size, as JSON has them.
 pixel() {
-    od -An -tu1 -j $((54 + ((119 - $3) * 160 + $2) * 3)) -N 3 "$1" | awk '{ printf "[%d, %d, %d]", $3, $2, $1 }'
+    od -An -tu1 -j $((54 + ((${size#*x} - 1 - $3) * ${size%x*} + $2) * 3)) -N 3 "$1" | awk '{ printf "[%d, %d, %d]", $3, $2, $1 }'
 }
 # ray_sums: reads rays as JSON, adds up own colours and children times their shares, and prints the worst
 # difference to the colours that were told, and how many rays there are.
@@ -18,6 +18,7 @@ ray_sums() {
             to[id, 1] = $(i+1); to[id, 2] = $(i+2); to[id, 3] = $(i+3)
         }
         { id = $2; parent[id] = $4; kind[id] = $6; three("color", color); three("own", own); three("share", share) }
+        id == 0 { three("merged", sum) }
         END {
             for (i = NR - 1; i >= 0; i--) for (c = 1; c <= 3; c++) {
                 off = color[i, c] - own[i, c] - sum[i, c]
@@ -41,6 +42,19 @@ for scene in box glass-sphere lamps; do
         holds "$work/sums" '^adds up' "$scene $place adds up"
     done
 done
+# Glass whose rays are too many for a tree: what is merged is told, too.
+few=$size size=24x16 deep=scenes/report-d-glass.lua
+"$dioptre" render $deep -o "$work/deep.bmp" -s $size --samples 1 --offset none
+expect 0 '' 'probe among rays without end' "$dioptre" probe $deep 13 9 -s $size --offset none --json
+steps=$(pixel "$work/deep.bmp" 13 9)
+head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok 'with merged rays, too, it is the picture'"'"'s' ||
+    fail "with merged rays: the picture has $steps"
+grep -q '"merged": \[0\.0' "$work/out" && ok 'merged light is told' || fail 'no merged light is told'
+ray_sums <"$work/out" >"$work/sums"
+holds "$work/sums" '^adds up' 'with merged rays it adds up'
+expect 0 '' 'the same in words' "$dioptre" probe $deep 13 9 -s $size --offset none
+holds "$work/out" '^  \+ merged' 'merged light in words'
+size=$few
 for engine in f32x1 f32x4 f64x1 f128x1; do
     "$dioptre" render $box -o "$work/e.bmp" -s $size --samples 1 --engine $engine
     expect 0 '' "probe by $engine" "$dioptre" probe $box 41 83 -s $size --json --engine $engine

@@ -139,6 +139,9 @@ typedef struct RayTree {
     size_t step_capacity; /**< Capacity of #steps. */
     Vec3d origin;         /**< Where in the scene the tracer's coordinates start. */
     int current;          /**< While recording: the ray being traced. */
+    Rgbd merged_light;    /**< What the colour of the first ray has besides its own and its
+                             secondary rays: light of rays that are merged because there are too
+                             many, or an estimate of it. */
     bool is_truncated;    /**< Whether rays are missing, for lack of memory or beyond
                              #RAY_TREE_MAX_NODES. */
 } RayTree;

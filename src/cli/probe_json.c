@@ -52,7 +52,8 @@ static void write_surface(JsonWriter *json, const ProbeReport *report, const Ray
     }
 }
 
-/** Writes the members that only the first object has: pixel, engine and 8-bit colour. */
+/** Writes the members that only the first object has: pixel, engine, merged light and 8-bit colour.
+ */
 static void write_pixel(JsonWriter *json, const ProbeReport *report) {
     ProbePixel pixel = probe_pixel(report);
     json_integer(json, "x", report->x);
@@ -60,6 +61,7 @@ static void write_pixel(JsonWriter *json, const ProbeReport *report) {
     json_string(json, "engine", report->settings.engine->name);
     json_string(json, "pixel", pixel_point_words[report->settings.trace.pixel_point]);
     json_string(json, "methods", method_set_words[report->settings.method_set]);
+    write_color(json, "merged", report->tree->merged_light);
     json_array_begin(json, "steps");
     for (int channel = 0; channel < 3; channel++) {
         json_integer(json, NULL, pixel.channels[channel]);

@@ -106,6 +106,16 @@ void ray_tree_pop(RayTree *ray_tree, Rgb color) {
     }
 }
 
+void ray_tree_set_pixel(RayTree *ray_tree, Rgb color) {
+    if (!ray_tree->is_truncated) {
+        RayTreeNode *first = &ray_tree->nodes[0];
+        const Rgbd pixel = rgb_first_lane(color), sum = first->color;
+        ray_tree->merged_light =
+            (Rgbd){pixel.red - sum.red, pixel.green - sum.green, pixel.blue - sum.blue};
+        first->color = pixel;
+    }
+}
+
 /* --- hits ------------------------------------------------------------------------------------- */
 
 /** Records a hit. @param length Length of the ray's direction in the engine. */

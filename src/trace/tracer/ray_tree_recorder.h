@@ -50,6 +50,10 @@ void ray_tree_record_shading(const SurfaceHit *surface, const Rgb *texture_color
 /** Records the colour of the current ray, and makes its parent the current ray. */
 void ray_tree_pop(RayTree *ray_tree, Rgb color);
 
+/** Gives the first ray the colour of its pixel: that of the tree with the light of merged rays. See
+ *  #RayTree.merged_light. */
+void ray_tree_set_pixel(RayTree *ray_tree, Rgb color);
+
 /** Completes a tree: points are moved into the
  * coordinates of the scene. @param origin The origin of the tracer's coordinates. */
 void ray_tree_finish(RayTree *ray_tree, Vec3d origin);

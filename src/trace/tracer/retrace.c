@@ -37,6 +37,7 @@ static void recorders_begin(const RayState *rays) {
     if (recorders->ray_tree) {
         recorders->ray_tree->count = recorders->ray_tree->step_count = 0;
         recorders->ray_tree->is_truncated = false;
+        recorders->ray_tree->merged_light = (Rgbd){0, 0, 0};
         ray_tree_push(recorders->ray_tree, RAY_CAMERA, rays, one);
     }
 }
@@ -221,16 +222,32 @@ static __attribute__((noinline)) void settle_losses(const Tracer *tracer, Wavefr
     }
 }
 
-/** Does what settle_losses() does, with memory from the tracer's pool. A ray tree shows the rays of
- *  the last pass, so its rays are not merged. */
-static void settle_recorded_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
-                                   Rgb *colors, RayCounts *counts) {
-    bool has_memory = tracer->wavefronts && !sample_context_ray_tree(&rays->packet.context);
-    Wavefront *wavefront = has_memory ? wavefront_pool_take(tracer->wavefronts) : NULL;
+/** Does what settle_losses() does, with memory from the tracer's pool. */
+static void settle_pooled_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
+                                 Rgb *colors, RayCounts *counts) {
+    Wavefront *wavefront = tracer->wavefronts ? wavefront_pool_take(tracer->wavefronts) : NULL;
     settle_losses(tracer, wavefront, rays, losses, colors, counts);
     if (wavefront) {
         wavefront_pool_give_back(tracer->wavefronts, wavefront);
     }
+}
+
+/** Does what settle_losses() does. A ray tree shows the rays of the last pass: merged rays are not
+ *  recorded, only their light. */
+static void settle_recorded_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
+                                   Rgb *colors, RayCounts *counts) {
+    RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
+    if (!ray_tree) {
+        settle_pooled_losses(tracer, rays, losses, colors, counts);
+        return;
+    }
+    RayState unrecorded = *rays;
+    RayCounts merged = {0};
+    unrecorded.packet.context.recorders = NULL;
+    settle_pooled_losses(tracer, &unrecorded, losses, colors, &merged);
+    counts->unresolved += merged.unresolved;
+    counts->unresolved_steps = fmax(counts->unresolved_steps, merged.unresolved_steps);
+    ray_tree_set_pixel(ray_tree, colors[0]);
 }
 
 /**

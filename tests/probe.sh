@@ -44,7 +44,7 @@ for scene in box glass-sphere lamps; do
 done
 # Glass whose rays are too many for a tree: what is merged is told, too.
 few=$size size=24x16 deep=scenes/report-d-glass.lua
-"$dioptre" render $deep -o "$work/deep.bmp" -s $size --samples 1 --offset none
+"$dioptre" render $deep -o "$work/deep.bmp" -s $size --samples 1 --offset none -q
 expect 0 '' 'probe among rays without end' "$dioptre" probe $deep 13 9 -s $size --offset none --json
 steps=$(pixel "$work/deep.bmp" 13 9)
 head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok 'with merged rays, too, it is the picture'"'"'s' ||

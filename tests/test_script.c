@@ -253,6 +253,7 @@ static void test_wrong_types(void **state) {
         {"sphere { finish = 1 }", 1, "finish must be `matt`, `satin` or `glossy`, not a number"},
         {"sphere { center = 1 }", 1, "center must be three numbers {x, y, z}, not a number"},
         {"sphere { center = {1, 2} }", 1, "there are 2 things"},
+        {"sphere { tint = {0, 5} }", 1, "there are 2 things"},
         {"sphere { center = {1, 2, 3, 4} }", 1, "there are 4 things"},
         {"sphere { center = {x = 1, y = 2, z = 3} }", 1, "three numbers {x, y, z}"},
         {"sphere { center = {1, 2, 3, w = 4} }", 1, "three numbers {x, y, z}"},
@@ -331,6 +332,10 @@ static void test_cameras(void **state) {
     } cameras[] = {
         {"camera { pan = 90 }", {1, 0, 0}, {0, 1, 0}},
         {"camera { tilt = 45 }", {0, half, -half}, {0, half, half}},
+        {"camera { pan = 90, tilt = -90 }", {0, -1, 0}, {1, 0, 0}},
+        {"camera { pan = 90, tilt = 90 }", {0, 1, 0}, {-1, 0, 0}},
+        {"camera { pan = 180, tilt = -90 }", {0, -1, 0}, {0, 0, 1}},
+        {"camera { tilt = -90 }", {0, -1, 0}, {0, 0, -1}},
         {"camera { pan = 180, tilt = -45 }", {0, -half, half}, {0, half, half}},
         // Straight down, north is the top of the picture, and straight up it is at the bottom.
         {"camera { tilt = -90 }", {0, -1, 0}, {0, 0, -1}},

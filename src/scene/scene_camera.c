@@ -88,6 +88,23 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
                    -cos(tilt_radians) * cos(pan_radians)};
 }
 
+/** @return The vector that points up in the picture of a camera of two angles: how its direction
+ * turns with the tilt. It is upright also where the camera looks straight up or down. */
+static Vec3d up_from_pan_tilt(double pan, double tilt) {
+    double pan_radians = pan * RADIANS_PER_DEGREE;
+    double tilt_radians = tilt * RADIANS_PER_DEGREE;
+    return (Vec3d){-sin(tilt_radians) * sin(pan_radians), cos(tilt_radians),
+                   sin(tilt_radians) * cos(pan_radians)};
+}
+
+/** @return Whether two vectors are parallel, as nearly as a camera can tell. @param direction A
+ * unit vector. @param up Any vector but zero. */
+static bool is_parallel(Vec3d direction, Vec3d up) {
+    /** Sine of the angle below which two directions count as parallel. */
+    const double parallel_tolerance = 1e-9;
+    return !(vec3d_length(vec3d_cross(direction, vec3d_normalize(up))) > parallel_tolerance);
+}
+
 /**
  * @return The component of `up` perpendicular to `direction`, as a unit vector. If the two are
  *         parallel, the axis least aligned with the direction replaces `up`.
@@ -95,10 +112,8 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
  * @param up         Any vector but zero.
  */
 static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
-    /** Sine of the angle below which two directions count as parallel. */
-    const double parallel_tolerance = 1e-9;
     Vec3d right = vec3d_cross(direction, vec3d_normalize(up));
-    if (!(vec3d_length(right) > parallel_tolerance)) {
+    if (is_parallel(direction, up)) {
         double x = fabs(direction.x), y = fabs(direction.y), z = fabs(direction.z);
         Vec3d axis = z <= x && z <= y ? (Vec3d){0, 0, 1}
                      : x <= y         ? (Vec3d){1, 0, 0}
@@ -136,6 +151,9 @@ static bool scene_camera_finish(void *values, uint64_t given, Error *error) {
     }
     camera->target_distance = by_point ? distance : 1;
     camera->direction = vec3d_normalize(camera->direction);
+    if (by_angles && is_parallel(camera->direction, camera->up)) {
+        camera->up = up_from_pan_tilt(camera->pan, camera->tilt);
+    }
     camera->up = orthogonal_up(camera->direction, camera->up);
     return true;
 }

@@ -106,15 +106,21 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
         lua_error_tr(L, "%s must be %s: the numbers alone, without names", row->name,
                      gettext(list->expected));
     }
+    // The number of things is told first: {0,5} is a decimal comma, not a colour out of range.
+    bool is_complete = count <= list->count;
     for (int i = 0; i < list->count; i++) {
-        if (lua_geti(L, index, i + 1) == LUA_TNIL || count > list->count) {
-            const char *message = ngettext(
-                "%s must be %s; there is %lld thing between the braces%s",
-                "%s must be %s; there are %lld things between the braces%s", (unsigned long)count);
-            lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count,
-                         count > list->count ? decimal_point_hint() : "");
-        }
-        if (lua_type(L, -1) != LUA_TNUMBER) {
+        is_complete = lua_geti(L, index, i + 1) != LUA_TNIL && is_complete;
+        lua_pop(L, 1);
+    }
+    if (!is_complete) {
+        const char *message = ngettext("%s must be %s; there is %lld thing between the braces%s",
+                                       "%s must be %s; there are %lld things between the braces%s",
+                                       (unsigned long)count);
+        lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count,
+                     count > list->count ? decimal_point_hint() : "");
+    }
+    for (int i = 0; i < list->count; i++) {
+        if (lua_geti(L, index, i + 1) != LUA_TNUMBER) {
             lua_error_tr(L, "%s must be %s; number %d of them is %s", row->name,
                          gettext(list->expected), i + 1, read_describe(L, lua_gettop(L)));
         }

@@ -227,10 +227,7 @@ void lesson_panel_write_score(const LessonPanel *panel, char *line, size_t size)
     int asked = 0, right = lesson_panel_score(panel->lesson, panel->answers, &asked);
     line[0] = '\0';
     if (asked > 0) {
-        snprintf(line, size,
-                 ngettext("%d of %d prediction right", "%d of %d predictions right",
-                          (unsigned long)asked),
-                 right, asked);
+        snprintf(line, size, gettext("predictions right: %d of %d"), right, asked);
     }
 }
 

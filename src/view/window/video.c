@@ -81,7 +81,7 @@ static bool has_visible_screen(void) {
     for (size_t i = 0; i < sizeof headless / sizeof headless[0]; i++) {
         if (strcmp(driver, headless[i]) == 0 && !is_requested) {
             if (display) {
-                SDL_SetError(gettext("DISPLAY is not to be opened: %s"), display);
+                SDL_SetError(gettext("DISPLAY cannot be opened: %s"), display);
             } else {
                 SDL_SetError("%s", gettext("DISPLAY is not set"));
             }

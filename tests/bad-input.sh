@@ -151,6 +151,7 @@ expect 1 'none/o.bmp' 'no such folder' "$dioptre" render "$work/s.lua" -o "$work
 expect 2 'bmp' 'unknown ending' "$dioptre" render "$work/s.lua" -o "$work/o.xyz"
 expect 1 'standard output' 'full disk behind standard output' sh -c "exec $dioptre info $work/s.lua >/dev/full"
 expect 1 'standard output' 'full disk behind the help' sh -c "exec $dioptre --help >/dev/full"
+expect 1 'No space left on device' 'full disk under a drawing' "$dioptre" probe "$work/s.lua" 0 0 --svg /dev/full
 
 # SIGINT: what is finished is kept, status 130. The picture is large enough to be caught at.
 scene 'camera { position = {0, 0, 6} }\nimage { width = 1600, height = 1200, samples = 64 }\nlight {}\nsphere {}'

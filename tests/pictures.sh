@@ -181,7 +181,7 @@ for ending in png jpg tif exr hdr; do
     same "$work/o.$ending" "$work/again.$ending" "the same bytes again: $ending"
     strings "$work/o.$ending" >"$work/out"
     holds "$work/out" "dioptre $(sed -n 's/^VERSION *:= *//p' Makefile)" "$ending names the program"
-    holds "$work/out" 'scene s.lua, time 0 s, engine f32x1, 8x8, samples 4, depth 3, offset fixed 0.01' "$ending says how it came about"
+    holds "$work/out" 'scene s.lua, time 0 s, engine f32x1, 8x8, samples 4, depth 3, offset fixed 0.01, cutoff 0.25, sampling adaptive, methods own, pixel center' "$ending says how it came about"
     if grep -qE "$work|20[0-9][0-9]:" "$work/out"; then fail "$ending tells a path or a date"; else ok "$ending tells no path and no date"; fi
 done
 # A disk that fills up, in every format: the old file stays, and nothing is left over.

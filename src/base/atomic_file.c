@@ -191,20 +191,26 @@ static void sync_folder(const char *path) {
     }
 }
 
+/** @return Why an earlier write failed, whose errno is lost: one byte more, in a file that is
+ *          discarded, most likely fails for the same reason. */
+static int find_lost_reason(const AtomicFile *file) {
+    return write(fileno(file->stream), "", 1) < 0 ? errno : EIO;
+}
+
 /**
  * Closes the stream of a file with all its bytes.
  * @return 0, or -1 with errno set.
  */
 static int close_stream(AtomicFile *file) {
     bool is_whole = !ferror(file->stream);
+    int lost_reason = is_whole ? 0 : find_lost_reason(file);
     int failed = sync_bytes(file), reason = errno;
     if (fclose(file->stream) != 0 && !failed) {
         failed = -1;
         reason = errno;
     }
     file->stream = NULL;
-    // After an earlier write that failed, its errno is lost.
-    errno = !is_whole && !failed ? EIO : reason;
+    errno = is_whole ? reason : lost_reason;
     return is_whole ? failed : -1;
 }
 

@@ -168,8 +168,7 @@ static bool parse_frames(const OptionSpec *option, const char *text, Options *op
 
 /* --- the table -------------------------------------------------------------------------------- */
 
-/** Values of `--sampling`, in the order of #Sampling. */
-static const char *const sampling_words[] = {"adaptive", "full", NULL};
+const char *const sampling_words[] = {"adaptive", "full", NULL};
 /** Values of `--rays`, in the order of #BenchRays. */
 static const char *const rays_words[] = {"image", "primary", "random", NULL};
 /** Values of `--keys`, in the order of #KeyBinding. */

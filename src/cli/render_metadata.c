@@ -36,6 +36,7 @@ void render_metadata_init(RenderMetadata *metadata, const Options *options, doub
                           const RenderSettings *settings) {
     const char *scene = base_name_of(options->arguments[0]);
     const TraceSettings *trace = &settings->trace;
+    const char *sampling = sampling_words[settings->sampling];
     char offset[64];
     *metadata = (RenderMetadata){.count = 0};
     int length = snprintf(offset, sizeof offset, "%s", offset_strategy_names[trace->offset]);
@@ -43,21 +44,22 @@ void render_metadata_init(RenderMetadata *metadata, const Options *options, doub
         snprintf(offset + length, sizeof offset - (size_t)length, " %g", trace->epsilon);
     }
     add_entry(metadata, "Software", "dioptre " DIOPTRE_VERSION);
+    // Many formats keep the description only.
     add_entry(metadata, "ImageDescription",
-              "scene %s, time %g s, engine %s, %dx%d, samples %d, depth %d, offset %s", scene, time,
-              settings->engine->name, settings->width, settings->height, settings->samples,
-              trace->depth, offset);
+              "scene %s, time %.15g s, engine %s, %dx%d, samples %d, depth %d, offset %s, "
+              "cutoff %g, sampling %s, methods %s, pixel %s",
+              scene, time, settings->engine->name, settings->width, settings->height,
+              settings->samples, trace->depth, offset, trace->cutoff, sampling,
+              method_set_words[settings->method_set], pixel_point_words[trace->pixel_point]);
     add_entry(metadata, "dioptre:scene", "%s", scene);
-    add_entry(metadata, "dioptre:time", "%g", time);
+    add_entry(metadata, "dioptre:time", "%.15g", time);
     add_entry(metadata, "dioptre:engine", "%s", settings->engine->name);
     add_entry(metadata, "dioptre:size", "%dx%d", settings->width, settings->height);
     add_entry(metadata, "dioptre:samples", "%d", settings->samples);
     add_entry(metadata, "dioptre:depth", "%d", trace->depth);
     add_entry(metadata, "dioptre:offset", "%s", offset);
-    if (settings->method_set != METHODS_OWN) {
-        add_entry(metadata, "dioptre:methods", "%s", method_set_words[settings->method_set]);
-    }
-    if (trace->pixel_point != PIXEL_CENTER) {
-        add_entry(metadata, "dioptre:pixel", "%s", pixel_point_words[trace->pixel_point]);
-    }
+    add_entry(metadata, "dioptre:cutoff", "%g", trace->cutoff);
+    add_entry(metadata, "dioptre:sampling", "%s", sampling);
+    add_entry(metadata, "dioptre:methods", "%s", method_set_words[settings->method_set]);
+    add_entry(metadata, "dioptre:pixel", "%s", pixel_point_words[trace->pixel_point]);
 }

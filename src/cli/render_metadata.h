@@ -8,7 +8,7 @@
 #include "cli/options.h"
 
 /** Most entries, with the one that ends them. */
-enum { RENDER_METADATA_MAXIMUM = 12 };
+enum { RENDER_METADATA_MAXIMUM = 14 };
 /** Bytes of a text. */
 enum { RENDER_METADATA_TEXT_SIZE = 512 };
 

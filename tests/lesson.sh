@@ -238,8 +238,8 @@ with_bar=1 open "$work/set/a.lua" --answers "$work/set.csv"
 expect_shown '^box.*finished' 'the first lesson'
 xdotool key space
 expect_shown 'the lesson is over' 'it ends'
-xdotool key space 1
-expect_shown '^figure C4: shadow acne — .*finished' '1 opens the next lesson with its scene'
+xdotool key space Return
+expect_shown '^figure C4: shadow acne — .*finished' 'Enter opens the next lesson with its scene'
 xdotool key 2
 in_set() { [ "$(wc -l <"$work/set.csv")" = "$1" ]; }
 within in_set 2 && sleep 0.5

@@ -214,10 +214,14 @@ static bool steer(App *app, const Command *command) {
 
 /** Handles a command while the end card is shown. @return Whether it steers the lesson. */
 static bool steer_card(App *app, const Command *command) {
+    bool is_enter = command_is(command, "caption");
     if (command_is(command, "time back")) {
         step_back(app);
+    } else if (is_enter) { // As the button that is drawn as the one to press.
+        handle_card_request(app, app->player.next_path[0] != '\0' ? LESSON_REQUEST_NEXT
+                                                                  : LESSON_REQUEST_AGAIN);
     }
-    return command_is(command, "time") || command_is(command, "time back") ||
+    return is_enter || command_is(command, "time") || command_is(command, "time back") ||
            command_is(command, "time on");
 }
 

@@ -593,6 +593,39 @@ static void test_readout(void **state) {
     in_all_windows(state, check_readout);
 }
 
+/** Beside the panel of a lesson, its lines end where the panel begins. */
+static void test_readout_beside_lesson(void **state) {
+    Fixture *fixture = *state;
+    if (!fixture) {
+        skip();
+    }
+    Window *window = &fixture->window;
+    const Readout *readout = &window->readout;
+    Lesson *lesson = load_lesson();
+    int answers[LESSON_QUESTIONS_MAXIMUM] = {0};
+    set_size(window, 1000, 480);
+    window_set_lesson_panel(window, &(LessonPanel){.lesson = lesson, .answers = answers});
+    wait_for_picture(fixture);
+    magnifier_toggle(&window->magnifier);
+    window->magnifier.has_place = true;
+    window->magnifier.pixel =
+        (PixelPosition){window->viewports[0].width / 2, window->viewports[0].height / 2};
+    for (double start = clock_now_seconds();
+         !readout->is_read && clock_now_seconds() - start < PICTURE_SECONDS;) {
+        update(fixture); // The whole first pass.
+        window_present(window);
+    }
+    const GuiRect area = window_area_units(window);
+    int width = 0;
+    SDL_GetWindowSize(window->sdl.window, &width, NULL);
+    assert_true(readout->is_shown && area.width < (float)width);
+    assert_true(readout->rect.x + readout->rect.width <= area.x + area.width);
+    magnifier_toggle(&window->magnifier);
+    window_set_lesson_panel(window, &(LessonPanel){0});
+    lesson_destroy(lesson);
+    set_size(window, sizes[0][0], sizes[0][1]);
+}
+
 /** The names of lamps outside the picture. */
 static void test_lamp_names(void **state) {
     lamp_names = 0;
@@ -667,7 +700,7 @@ int main(void) {
         cmocka_unit_test(test_presentation),    cmocka_unit_test(test_ray_layout),
         cmocka_unit_test(test_still_bar),       cmocka_unit_test(test_readout),
         cmocka_unit_test(test_two_legends),     cmocka_unit_test(test_lamp_names),
-        cmocka_unit_test(test_settling),
+        cmocka_unit_test(test_settling),        cmocka_unit_test(test_readout_beside_lesson),
     };
     return cmocka_run_group_tests(tests, open_window, close_window);
 }

@@ -69,10 +69,9 @@ void window_show_recording_sign(const Window *window, int width) {
     const float size = gui_text_size();
     const float above = readout->is_above ? readout->rect.height : 0;
     if (window->state.is_recording) {
-        gui_readout("recording", text, red,
-                    (GuiPoint){(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
-                               window->toolbar.height + above + 2 * size},
-                    GUI_ABOVE);
+        const GuiPoint corner = {(float)width - gui_text_width(text) - RECORDING_MARGIN * size,
+                                 window->toolbar.height + above + 2 * size};
+        gui_readout("recording", text, red, &(GuiReadoutPlace){corner, (float)width, GUI_ABOVE});
     }
 }
 

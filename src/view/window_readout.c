@@ -112,10 +112,11 @@ static void place_readout(Window *window) {
     const GuiRect area = window_area_units(window);
     const SDL_Rect picture = window_to_units(window, window_picture_rect(window));
     const GuiRect edges = {(float)picture.x, (float)picture.y, (float)picture.w, (float)picture.h};
-    const GuiRect below =
-        gui_readout_rect(readout->text, (GuiPoint){area.x, area.y + area.height}, GUI_ABOVE);
-    const GuiRect above = gui_readout_rect(
-        readout->text, (GuiPoint){area.x, window_area_below_button(window).y}, GUI_BELOW);
+    const GuiReadoutPlace lower = {{area.x, area.y + area.height}, area.x + area.width, GUI_ABOVE};
+    const GuiReadoutPlace upper = {
+        {area.x, window_area_below_button(window).y}, area.x + area.width, GUI_BELOW};
+    const GuiRect below = gui_readout_rect(readout->text, &lower);
+    const GuiRect above = gui_readout_rect(readout->text, &upper);
     const float reach = (readout->is_above ? REACH_BACK : REACH) * gui_text_size();
     readout->is_above = is_pixel_near(window, &below, reach) && rects_overlap(&below, &edges) &&
                         !is_pixel_near(window, &above, 0) && !caption_is_open(&window->caption);
@@ -149,9 +150,11 @@ void window_show_readout(const Window *window) {
     const Readout *readout = &window->readout;
     if (readout->is_shown) {
         const size_t side = window_is_right_side(window, readout->pixel.x) ? 1 : 0;
-        const GuiRect *rect = &readout->rect;
+        const GuiRect *rect = &readout->rect, area = window_area_units(window);
         const float edge = readout->is_above ? rect->y : rect->y + rect->height;
         gui_readout("readout", readout->text, readout->pixel.readings[side].rgb,
-                    (GuiPoint){rect->x, edge}, readout->is_above ? GUI_BELOW : GUI_ABOVE);
+                    &(GuiReadoutPlace){{rect->x, edge},
+                                       area.x + area.width,
+                                       readout->is_above ? GUI_BELOW : GUI_ABOVE});
     }
 }

@@ -172,8 +172,8 @@ static void show_layer_name(const Window *window, GuiRect *area) {
  * panels.
  *  @return Where what lies at its lower edge begins. */
 static float show_over_picture(Window *window, GuiRect area) {
-    const GuiPoint corner = {area.x, area.y + area.height};
-    area.height = SDL_max(1, area.height - gui_readout_rect("", corner, GUI_ABOVE).height);
+    const GuiReadoutPlace empty = {{area.x, area.y + area.height}, area.x + area.width, GUI_ABOVE};
+    area.height = SDL_max(1, area.height - gui_readout_rect("", &empty).height);
     show_light_marks(window);
     show_object_inspector(window);
     window_follow_mouse(window);

@@ -327,14 +327,20 @@ void gui_message(const char *id, const char *text, float room, GuiPoint point, G
 /** @return Width and height of what #gui_message shows. */
 GuiPoint gui_message_size(const char *text, float room);
 
-/** @return Where #gui_readout lies. @param corner Its lower left corner, or its upper one. @param
- *  side Whether it lies above that corner, or below it. */
-GuiRect gui_readout_rect(const char *text, GuiPoint corner, GuiSide side);
+/** The place of a readout. */
+typedef struct GuiReadoutPlace {
+    GuiPoint corner; /**< Its lower left corner, or its upper one. */
+    float right;     /**< Where its lines end at most. */
+    GuiSide side;    /**< Whether it lies above that corner, or below it. */
+} GuiReadoutPlace;
 
-/** Shows a colour and a text beside it, in lines as wide as the window. @param id Unique to it; not
- *  shown. @param rgb The colour, sRGB. @param corner See #gui_readout_rect. */
-void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner,
-                 GuiSide side);
+/** @return Where #gui_readout lies. */
+GuiRect gui_readout_rect(const char *text, const GuiReadoutPlace *place);
+
+/** Shows a colour and a text beside it, in lines as wide as there is room. @param id Unique to it;
+ *  not shown. @param rgb The colour, sRGB. */
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3],
+                 const GuiReadoutPlace *place);
 
 /** Marks a light: a sun with a name below. @param is_selected Whether keys move it. */
 void gui_mark_light(GuiPoint center, const char *name, bool is_selected);

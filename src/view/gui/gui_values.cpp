@@ -163,12 +163,12 @@ bool is_taken(const GuiLegendPlace *place, const ImRect &rect) {
 constexpr float READOUT_WIDTH_MINIMUM = 10;
 
 /** @return The width of the text of a readout. @param[in,out] left Its left end; it becomes that
- *  right of the inspector if this lies at the left. @param top Upper end of its first line. */
-float readout_width(float *left, float top) {
+ *  right of the inspector if this lies at the left. @param right Its right end, at most. @param top
+ *  Upper end of its first line. */
+float readout_width(float *left, float right, float top) {
     const Gui *gui = current_gui();
     const ImRect &inspector = gui->inspector;
     const float size = ImGui::GetFontSize(), gap = PADDING * size;
-    float right = ImGui::GetIO().DisplaySize.x;
     const bool is_beside =
         gui->is_inspecting && inspector.Min.y < top + size + 2 * gap && inspector.Max.y > top;
     if (is_beside && inspector.Min.x > *left + READOUT_WIDTH_MINIMUM * size) {
@@ -180,13 +180,15 @@ float readout_width(float *left, float top) {
 }
 
 /** @return Where a readout lies. See #gui_readout_rect. @param[out] width Width of its lines. */
-ImRect place_readout(const char *text, GuiPoint corner, GuiSide side, float *width) {
+ImRect place_readout(const char *text, const GuiReadoutPlace *place, float *width) {
     const float size = ImGui::GetFontSize(), gap = PADDING * size;
-    const float line = size + 2 * gap, top = side == GUI_ABOVE ? corner.y - line : corner.y;
-    *width = readout_width(&corner.x, top);
+    const bool is_above = place->side == GUI_ABOVE;
+    GuiPoint corner = place->corner;
+    const float line = size + 2 * gap, top = is_above ? corner.y - line : corner.y;
+    *width = readout_width(&corner.x, place->right, top);
     const ImVec2 extent = text_extent(text, *width);
     const float height = extent.y + 2 * gap;
-    const ImVec2 low(corner.x, side == GUI_ABOVE ? corner.y - height : corner.y);
+    const ImVec2 low(corner.x, is_above ? corner.y - height : corner.y);
     return ImRect(low, ImVec2(low.x + extent.x + 2 * size + 3 * gap, low.y + height));
 }
 
@@ -194,17 +196,17 @@ ImRect place_readout(const char *text, GuiPoint corner, GuiSide side, float *wid
 
 extern "C" {
 
-GuiRect gui_readout_rect(const char *text, GuiPoint corner, GuiSide side) {
+GuiRect gui_readout_rect(const char *text, const GuiReadoutPlace *place) {
     float width;
-    const ImRect rect = place_readout(text, corner, side, &width);
+    const ImRect rect = place_readout(text, place, &width);
     return GuiRect{rect.Min.x, rect.Min.y, rect.GetWidth(), rect.GetHeight()};
 }
 
-void gui_readout(const char *id, const char *text, const unsigned char rgb[3], GuiPoint corner,
-                 GuiSide side) {
+void gui_readout(const char *id, const char *text, const unsigned char rgb[3],
+                 const GuiReadoutPlace *place) {
     const float size = ImGui::GetFontSize(), gap = PADDING * size;
     float width;
-    const ImRect rect = place_readout(text, corner, side, &width);
+    const ImRect rect = place_readout(text, place, &width);
     const ImVec2 &low = rect.Min;
     ImDrawList *list = begin_value(id, low, rect.Max);
     list->AddRectFilled(low, rect.Max, ImGui::GetColorU32(ImGuiCol_WindowBg));

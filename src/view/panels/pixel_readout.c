@@ -42,11 +42,12 @@ static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
     }
 }
 
-/** Appends the value of a pixel. */
+/** Appends the value of a pixel; of shapes, whose names are told elsewhere, the colour in which the
+ *  legend has them: their index counts from 0, across all kinds, and the names do not. */
 static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
     char value[LAYER_TEXT_SIZE];
     const uint8_t *rgb = reading->rgb;
-    if (reading->layer == LAYER_SHADED) {
+    if (reading->layer == LAYER_SHADED || reading->layer == LAYER_SHAPES) {
         append(text, gettext("colour %d %d %d of 255"), rgb[0], rgb[1], rgb[2]);
     } else {
         layer_value_text(reading->layer, reading->values, value);

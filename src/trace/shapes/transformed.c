@@ -258,8 +258,8 @@ INLINE real transformed_inner_support(const Shape *inner, Vec3 directions) {
 static real transformed_support(const Shape *self, Vec3s from, Vec3 directions) {
     const TransformedShape *transformed = (const TransformedShape *)self;
     const Aabbs *box = &transformed->bounds;
-    const scalar size = (box->high[0] - box->low[0]) + (box->high[1] - box->low[1]) +
-                        (box->high[2] - box->low[2]);
+    const scalar size =
+        (box->high[0] - box->low[0]) + (box->high[1] - box->low[1]) + (box->high[2] - box->low[2]);
     Vec3 local =
         vec3_narrow(matrix3_apply_transposed(&transformed->to_world, vec3_widen(directions)));
     return support_of_point(support_vector(from, transformed->translation), size, directions) +

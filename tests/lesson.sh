@@ -54,9 +54,10 @@ wrong "$begin walk(1)" '1: it is called so: walk\(RIGHT, DOWN\)'
 wrong "$begin bar(-1)" '1: bar must be at least 0 and at most 1, not -1'
 wrong "$begin wait(t)" '1: unknown word `t`'
 wrong "lesson { scene = \"$box\", offset = \"nne\" }" '1: offset must be .*; did you mean `none`\?'
-wrong "$begin wait(2) set(\"light\", 9, \"intensity\", 1)" ' after 2 s, the scene has no `light` number 9'
-wrong "$begin select(\"sphere\", 7)" ' after 0 s, the scene has no `sphere` number 7'
-wrong "$begin drag(5, 1, 0, 0)" ' after 0 s, the scene has no light number 5'
+wrong "$begin wait(2) set(\"light\", 9, \"intensity\", 1)" ' the step at 2 s names `light` number 9, which .*'
+wrong "$begin select(\"sphere\", 7)" ' the step at 0 s names `sphere` number 7, which .*'
+wrong "$begin drag(5, 1, 0, 0)" ' the step at 0 s names light number 5, which .*'
+wrong "$begin ball(1)" '1: unknown word `ball`'
 echo "$begin" >"$work/a.lua"
 expect 3 "^$work/a.lua: this lesson is for $box, not for scenes/chess.lua\$" 'a lesson for another scene' \
     "$dioptre" view scenes/chess.lua --lesson "$work/a.lua"

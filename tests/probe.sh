@@ -43,18 +43,20 @@ for scene in box glass-sphere lamps; do
     done
 done
 # Glass whose rays are too many for a tree: what is merged is told, too.
-few=$size size=24x16 deep=scenes/report-d-glass.lua
+usual_size=$size size=24x16 deep=scenes/report-d-glass.lua
 "$dioptre" render $deep -o "$work/deep.bmp" -s $size --samples 1 --offset none -q
 expect 0 '' 'probe among rays without end' "$dioptre" probe $deep 13 9 -s $size --offset none --json
 steps=$(pixel "$work/deep.bmp" 13 9)
 head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok 'with merged rays, too, it is the picture'"'"'s' ||
     fail "with merged rays: the picture has $steps"
-grep -q '"merged": \[0\.0' "$work/out" && ok 'merged light is told' || fail 'no merged light is told'
+grep -q '"merged": \[0, 0, 0\]' "$work/out" && fail 'no merged light is told' || ok 'merged light is told'
 ray_sums <"$work/out" >"$work/sums"
 holds "$work/sums" '^adds up' 'with merged rays it adds up'
 expect 0 '' 'the same in words' "$dioptre" probe $deep 13 9 -s $size --offset none
-holds "$work/out" '^  \+ merged' 'merged light in words'
-size=$few
+holds "$work/out" '^  \+ merged rays' 'merged light in words'
+expect 0 '' 'the first ray in full' "$dioptre" probe $deep 13 9 -s $size --offset none --ray 0
+holds "$work/out" '\+ merged rays' 'merged light in its sum'
+size=$usual_size
 for engine in f32x1 f32x4 f64x1 f128x1; do
     "$dioptre" render $box -o "$work/e.bmp" -s $size --samples 1 --engine $engine
     expect 0 '' "probe by $engine" "$dioptre" probe $box 41 83 -s $size --json --engine $engine

@@ -332,13 +332,12 @@ static void test_cameras(void **state) {
     } cameras[] = {
         {"camera { pan = 90 }", {1, 0, 0}, {0, 1, 0}},
         {"camera { tilt = 45 }", {0, half, -half}, {0, half, half}},
-        {"camera { pan = 90, tilt = -90 }", {0, -1, 0}, {1, 0, 0}},
-        {"camera { pan = 90, tilt = 90 }", {0, 1, 0}, {-1, 0, 0}},
-        {"camera { pan = 180, tilt = -90 }", {0, -1, 0}, {0, 0, 1}},
-        {"camera { tilt = -90 }", {0, -1, 0}, {0, 0, -1}},
         {"camera { pan = 180, tilt = -45 }", {0, -half, half}, {0, half, half}},
         // Straight down, north is the top of the picture, and straight up it is at the bottom.
         {"camera { tilt = -90 }", {0, -1, 0}, {0, 0, -1}},
+        {"camera { pan = 90, tilt = -90 }", {0, -1, 0}, {1, 0, 0}},
+        {"camera { pan = 90, tilt = 90 }", {0, 1, 0}, {-1, 0, 0}},
+        {"camera { pan = 180, tilt = -90 }", {0, -1, 0}, {0, 0, 1}},
         {"camera { direction = {0, 1, 0} }", {0, 1, 0}, {0, 0, 1}},
         {"camera { direction = {1, 0, 0}, up = {2, 0, 0} }", {1, 0, 0}, {0, 0, 1}},
         {"camera { direction = {0, 0, 1}, up = {0, 0, 1} }", {0, 0, 1}, {1, 0, 0}}};

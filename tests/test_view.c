@@ -1108,11 +1108,19 @@ static void test_readout(void **state) {
     readout.samples = 16;
     pixel_readout_write(&readout, text);
     assert_non_null(strstr(text, "of 255 (mean of up to 16 samples)"));
-    readout.readings[0].layer = LAYER_SHAPES; // Its value, an index, would contradict the name.
-    readout.readings[0].values[0] = 5;
+    readout.readings[0].layer = readout.readings[1].layer = LAYER_SHAPES;
+    readout.readings[0].values[0] = 5; // The index would contradict the name.
     pixel_readout_write(&readout, text);
-    assert_string_equal(text, "pixel (3, 4) under the mouse, sphere (line 35 of the scene), "
-                              "colour 1 2 3 of 255");
+    assert_string_equal(text,
+                        "pixel (3, 4) under the mouse, shapes: sphere (line 35 of the scene)");
+    readout.readings[1].shape = 3;
+    readout.readings[1].values[0] = 3;
+    readout.count = 2;
+    pixel_readout_write(&readout, text);
+    assert_string_equal(text,
+                        "pixel (3, 4) under the mouse\n"
+                        "left: shapes: sphere (line 35 of the scene)\n"
+                        "right: shapes: quadrilateral 4 (line 24 of the scene)\nnot the same");
     readout.readings[0].layer = readout.readings[1].layer = LAYER_DISTANCE;
     readout.readings[0].values[0] = 2;
     readout.readings[1].values[0] = 2.5;

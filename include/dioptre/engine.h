@@ -126,7 +126,7 @@ typedef struct RayTreeNode {
     double falloff;    /**< Of shadow rays: the factor f of the light's intensity there. */
     Rgbd local_color;  /**< Radiance without secondary rays: of the sky, a light or a surface. */
     Rgbd color;        /**< Radiance: #local_color plus the weighted colours of secondary
-                            rays. */
+                            rays; of the first ray, #RayTree.merged_light, too. */
 } RayTreeNode;
 
 /** The ray tree of one pixel. Starts as `{0}`; freed by #ray_tree_deinit. */
@@ -139,12 +139,18 @@ typedef struct RayTree {
     size_t step_capacity; /**< Capacity of #steps. */
     Vec3d origin;         /**< Where in the scene the tracer's coordinates start. */
     int current;          /**< While recording: the ray being traced. */
-    Rgbd merged_light;    /**< What the colour of the first ray has besides its own and its
-                             secondary rays: light of rays that are merged because there are too
-                             many, or an estimate of it. */
+    Rgbd merged_light;    /**< The colour of the pixel minus the sum of the first ray's terms: light
+                             of rays that are merged, because there are too many, or an estimate of
+                             it. A channel may be below 0. */
     bool is_truncated;    /**< Whether rays are missing, for lack of memory or beyond
                              #RAY_TREE_MAX_NODES. */
 } RayTree;
+
+/** @return Whether a tree has #RayTree.merged_light. */
+static inline bool ray_tree_has_merged_light(const RayTree *tree) {
+    const Rgbd *light = &tree->merged_light;
+    return light->red != 0 || light->green != 0 || light->blue != 0;
+}
 
 /** Frees the rays of a tree and empties it. */
 void ray_tree_deinit(RayTree *tree);

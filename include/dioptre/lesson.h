@@ -157,7 +157,8 @@ size_t lesson_block_size(const Lesson *lesson);
 bool lesson_validate(const Lesson *lesson, size_t size, int action_count, Error *error);
 
 /**
- * Checks that a scene has the objects and lights that the steps of a lesson name.
+ * Checks that a scene has the objects and lights that the steps of a lesson name. Scenes that
+ * depend on time are not checked.
  * @param[out] error  What is missing (#STATUS_SCENE).
  * @return Whether it has.
  */

@@ -191,10 +191,15 @@ static void sync_folder(const char *path) {
     }
 }
 
-/** @return Why an earlier write failed, whose errno is lost: one byte more, in a file that is
- *          discarded, most likely fails for the same reason. */
+/** @return Why an earlier write failed, whose errno is lost: one byte more most likely fails for
+ * the same reason. It goes to files that are discarded, and to devices; not to pipes, which
+ *          somebody reads. */
 static int find_lost_reason(const AtomicFile *file) {
-    return write(fileno(file->stream), "", 1) < 0 ? errno : EIO;
+    struct stat status;
+    int descriptor = fileno(file->stream);
+    bool is_pipe =
+        fstat(descriptor, &status) != 0 || !(S_ISREG(status.st_mode) || S_ISCHR(status.st_mode));
+    return !is_pipe && write(descriptor, "", 1) < 0 ? errno : EIO;
 }
 
 /**

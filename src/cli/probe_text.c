@@ -194,10 +194,9 @@ static void print_sum(const ProbeReport *report) {
                         ray->kind == RAY_SHADOW ? "" : N_("what it brings back, times its share"));
         }
     }
-    const Rgbd *merged = &report->tree->merged_light;
-    if (merged->red != 0 || merged->green != 0 || merged->blue != 0) {
-        print_color(INDENT, N_("+ merged"), *merged,
-                    N_("light of rays too many to be listed, merged or estimated"));
+    if (ray_tree_has_merged_light(report->tree)) {
+        print_color(INDENT, N_("+ merged rays"), report->tree->merged_light,
+                    N_("light of rays that are not listed: merged, or estimated"));
     }
     print_color(INDENT, N_("= the pixel"), camera->color,
                 report->settings.trace.methods & METHOD_MEAN_OF_RAYS

@@ -228,7 +228,7 @@ static void play_lesson(const Options *options, Error *error) {
     lesson_destroy(lesson);
 }
 
-/** Finds the first scene: in the working folder, else among the installed scenes. @param[out] path
+/** Finds the first scene: in the working folder, else among the program's own. @param[out] path
  *  Its file. @return Whether there is one. */
 static bool find_first_scene(char path[PATH_MAX]) {
     static const char name[] = "box.lua";

@@ -387,6 +387,10 @@ void ray_sum_write(const RayFormulaInput *input, size_t index, RayFormulas *sum)
             add_child_term(child, i, sum);
         }
     }
+    if (index == 0 && ray_tree_has_merged_light(tree)) {
+        sum->count -= sum->count == RAY_FORMULAS_MAXIMUM - 1; // The result has the last place.
+        add(sum, gettext("+ merged rays"), "%s", color_text(tree->merged_light).text);
+    }
     snprintf(label, sizeof label, gettext("= ray %zu"), index);
     sum->count -= sum->count == RAY_FORMULAS_MAXIMUM;
     add(sum, index == 0 ? gettext("= the pixel") : label, "%s", color_text(ray->color).text);

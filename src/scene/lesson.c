@@ -34,7 +34,7 @@ Lesson *lesson_create_at(void *address, Error *error) {
     return lesson;
 }
 
-/** #LessonStep.time of a second. */
+/** Units of #LessonStep.time per second. */
 static const double MILLISECONDS_PER_SECOND = 1000;
 
 /** @return Whether a scene has what a step names: an object or a light. */
@@ -44,20 +44,22 @@ static bool check_step_in_scene(const LessonStep *step, const Scene *scene, Erro
         step->kind == LESSON_SELECT || step->kind == LESSON_SET || step->kind == LESSON_MOVE;
     if (is_object && step->action > 0 &&
         !scene_object_find(scene, step->keyword, step->action, &object)) {
-        return error_set(error, STATUS_SCENE, "the scene has no `%s` number %d",
+        return error_set(error, STATUS_SCENE, "`%s` number %d, which the scene does not have",
                          scene_object_keyword(step->keyword)->name, step->action);
     }
     if (step->kind == LESSON_DRAG && (size_t)step->action >= scene->light_count) {
-        return error_set(error, STATUS_SCENE, "the scene has no light number %d", step->action + 1);
+        return error_set(error, STATUS_SCENE, "light number %d, which the scene does not have",
+                         step->action + 1);
     }
     return true;
 }
 
 bool lesson_check_scene(const Lesson *lesson, const Scene *scene, Error *error) {
-    for (size_t i = 0; i < lesson->count; i++) {
+    // At other times such a scene may have other objects.
+    for (size_t i = 0; i < lesson->count && !scene->is_time_dependent; i++) {
         const LessonStep *step = &lesson->steps[i];
         if (!check_step_in_scene(step, scene, error)) {
-            return error_prefix(error, "after %g s, ",
+            return error_prefix(error, "the step at %g s names ",
                                 (double)step->time / MILLISECONDS_PER_SECOND);
         }
     }

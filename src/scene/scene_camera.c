@@ -89,7 +89,7 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
 }
 
 /** @return The vector that points up in the picture of a camera of two angles: how its direction
- * turns with the tilt. It is upright also where the camera looks straight up or down. */
+ * turns with the tilt. It is defined also where the camera looks straight up or down. */
 static Vec3d up_from_pan_tilt(double pan, double tilt) {
     double pan_radians = pan * RADIANS_PER_DEGREE;
     double tilt_radians = tilt * RADIANS_PER_DEGREE;

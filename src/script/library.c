@@ -155,18 +155,27 @@ static const Synonyms synonyms[] = {
     {"disk", {"circle", "cercle", "disque"}},
     {"mesh", {"model", "modele", "maillage"}},
     {"light", {"lamp", "lampe", "lumiere"}},
-    {"ambient", {"ambiante"}},
     {"sun", {"soleil"}},
     {"sky", {"background", "fond", "ciel"}},
     {"distance.torus", {"torus", "tore"}},
 };
 
-/** Suggests the word of the language that a word stands for, if there is one. */
-static void suggest_synonym(Suggestion *suggestion) {
+/** @return Whether the table on which the stack begins has a word, or the table in front of its
+ * dot. */
+static bool has_word(lua_State *L, const char *word) {
+    lua_pushlstring(L, word, strcspn(word, "."));
+    bool is_there = lua_rawget(L, 1) != LUA_TNIL;
+    lua_pop(L, 1);
+    return is_there;
+}
+
+/** Suggests the word of the language that a word stands for, if the table has it: a lesson has no
+ *  words for shapes. @param L The state, with the table first. */
+static void suggest_synonym(lua_State *L, Suggestion *suggestion) {
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
         const char *const *words = synonyms[i].words;
         for (int w = 0; w < SYNONYMS_MAXIMUM && words[w]; w++) {
-            if (strcmp(suggestion->word, words[w]) == 0) {
+            if (strcmp(suggestion->word, words[w]) == 0 && has_word(L, synonyms[i].meant)) {
                 suggestion->best_match = synonyms[i].meant;
             }
         }
@@ -194,8 +203,10 @@ static int index_unknown(lua_State *L) {
             suggest_try(&suggestion, lua_tostring(L, -1));
         }
     }
-    if (suggestion.prefix[0] == '\0') {
-        suggest_synonym(&suggestion);
+    // One letter away is another word of the scene.
+    bool is_misspelt = suggestion.best_match && suggestion.distance == 1;
+    if (suggestion.prefix[0] == '\0' && !is_misspelt) {
+        suggest_synonym(L, &suggestion);
     }
     char hint[SUGGEST_HINT_SIZE];
     return lua_error_tr(L, "unknown word `%s%s`%s", suggestion.prefix, suggestion.word,

@@ -106,7 +106,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
         lua_error_tr(L, "%s must be %s: the numbers alone, without names", row->name,
                      gettext(list->expected));
     }
-    // The number of things is told first: {0,5} is a decimal comma, not a colour out of range.
+    // Lengths are checked before ranges: {0,5} has one number too few, and none is too large.
     bool is_complete = count <= list->count;
     for (int i = 0; i < list->count; i++) {
         is_complete = lua_geti(L, index, i + 1) != LUA_TNIL && is_complete;
@@ -117,7 +117,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
                                        "%s must be %s; there are %lld things between the braces%s",
                                        (unsigned long)count);
         lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count,
-                     count > list->count ? decimal_point_hint() : "");
+                     count > 0 ? decimal_point_hint() : "");
     }
     for (int i = 0; i < list->count; i++) {
         if (lua_geti(L, index, i + 1) != LUA_TNUMBER) {
@@ -379,7 +379,7 @@ void read_check_table(lua_State *L, int index, const Keyword *const *keywords,
                       const Keyword *nested) {
     const char *name = keywords[0]->name;
     // Lua's order of keys is another in each run; of several errors, the first by name is told.
-    bool has_nameless = false, has_nameless_number = false;
+    bool has_nameless = false, has_nameless_number = false, has_named_number = false;
     Suggestion unknown = {0};
     lua_pushnil(L);
     while (lua_next(L, index)) {
@@ -387,9 +387,10 @@ void read_check_table(lua_State *L, int index, const Keyword *const *keywords,
         lua_pop(L, 1);
         bool is_named = lua_type(L, -1) == LUA_TSTRING;
         Suggestion suggestion = {.word = is_named ? lua_tostring(L, -1) : NULL};
+        has_named_number = has_named_number || (is_named && is_number);
         if (!is_named) {
             has_nameless = has_nameless || !is_positional_key(L, keywords[0]);
-            has_nameless_number = has_nameless_number || is_number;
+            has_nameless_number = has_nameless_number || (is_number && lua_isinteger(L, -1));
         } else if (!has_field(keywords, nested, &suggestion) &&
                    (!unknown.word || strcmp(suggestion.word, unknown.word) < 0)) {
             unknown = suggestion;
@@ -398,7 +399,8 @@ void read_check_table(lua_State *L, int index, const Keyword *const *keywords,
     if (has_nameless) {
         lua_error_tr(L, "%s takes fields with names, such as `%s = ...`; one has none%s", name,
                      keywords[0]->parameters->name,
-                     has_nameless_number ? decimal_point_hint() : "");
+                     // What a decimal comma leaves of a field: radius = 1, and 5.
+                     has_named_number && has_nameless_number ? decimal_point_hint() : "");
     }
     if (unknown.word) {
         raise_unknown_field(L, name, nested, &unknown);

@@ -67,6 +67,8 @@ typedef struct TextFit {
     bool is_presenting; /**< Whether the window was made for a class. */
     bool has_lesson;    /**< Whether the panel of a lesson was shown. */
     bool shows_rays;    /**< Whether rays were shown. */
+    bool is_french;     /**< Whether words were French, which are longer. */
+    double aspect;      /**< Width of the picture by its height, which says where the panel is. */
     bool has_grown;     /**< Whether letters have grown since one of these changed. */
     float height;       /**< Height of letters, screen units. */
 } TextFit;

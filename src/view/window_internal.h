@@ -37,7 +37,7 @@ GuiRect window_whole_below_button(const Window *window);
 /** Finds the height of letters of the next frame, by the height below the bar. */
 void window_settle_text_size(Window *window);
 
-/** @return The height of letters of this frame, screen units. */
+/** @return The height of letters of this frame, screen units; 0 before the first one. */
 float window_text_size(const Window *window);
 
 /** Folds the bar if it takes too much of the window. @return Whether it did. */

@@ -2,6 +2,7 @@
  * @file
  * @brief Where things are in the window: bar, picture, lesson panel; how large letters are.
  */
+#include "base/language.h"
 #include "view/window_internal.h"
 
 #include <libintl.h>
@@ -178,20 +179,23 @@ static float roomy_text_size(const Window *window) {
 
 /** @return The layout of the window, its letters not settled yet. */
 static TextFit new_text_fit(const Window *window) {
+    const RenderSettings *settings = &window->base_settings;
     return (TextFit){.window = size_in_units(window),
                      .text_scale = window->text_scale,
                      .is_folded = window->toolbar.is_folded,
                      .is_presenting = window->is_presenting,
                      .has_lesson = window->lesson_panel.lesson != NULL,
+                     .is_french = language_is_french(),
+                     .aspect = (double)settings->width / settings->height,
                      .shows_rays = window->ray_view.is_open};
 }
 
-/** @return Whether two layouts may have letters of the same height. */
+/** @return Whether two layouts have the same inputs. */
 static bool is_same_layout(const TextFit *a, const TextFit *b) {
     return a->window.x == b->window.x && a->window.y == b->window.y &&
            a->text_scale == b->text_scale && a->is_folded == b->is_folded &&
            a->is_presenting == b->is_presenting && a->has_lesson == b->has_lesson &&
-           a->shows_rays == b->shows_rays;
+           a->shows_rays == b->shows_rays && a->is_french == b->is_french && a->aspect == b->aspect;
 }
 
 void window_settle_text_size(Window *window) {

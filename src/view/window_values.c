@@ -167,7 +167,7 @@ static void show_magnifier(const Window *window) {
     if (is_difference_shown(window)) {
         pixel_readout_difference(readout->readings, caption);
     } else {
-        pixel_readout_value(&readout->readings[side], caption);
+        pixel_readout_value(readout, side, caption);
     }
     GuiPixels pixels = {rgb, MAGNIFIER_PIXELS, MAGNIFIER_PIXELS, caption};
     const GuiPoint point = window_pixel_place(window, pixel);

@@ -222,7 +222,7 @@ static __attribute__((noinline)) void settle_losses(const Tracer *tracer, Wavefr
     }
 }
 
-/** Does what settle_losses() does, with memory from the tracer's pool. */
+/** Calls settle_losses() with memory from the tracer's pool. */
 static void settle_pooled_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
                                  Rgb *colors, RayCounts *counts) {
     Wavefront *wavefront = tracer->wavefronts ? wavefront_pool_take(tracer->wavefronts) : NULL;
@@ -232,9 +232,9 @@ static void settle_pooled_losses(const Tracer *tracer, const RayState *rays, Los
     }
 }
 
-/** Does what settle_losses() does. A ray tree shows the rays of the last pass: merged rays are not
- *  recorded, only their light. */
-static void settle_recorded_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
+/** Settles the losses of a packet. A ray tree shows the rays of the last pass: merged rays are not
+ *  recorded, only their light; nor do they count, as the counts are those of the tree. */
+static void settle_packet_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
                                    Rgb *colors, RayCounts *counts) {
     RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
     if (!ray_tree) {
@@ -285,7 +285,7 @@ INLINE void camera_rays_trace(const Tracer *tracer, const RayCounts *first_count
     if (may_lose && !tracer->methods && losses_are_any(rays, &losses)) {
         retrace_open_rays(tracer, tracer->loss_budget.throughput, first_counts, rays, colors,
                           &losses, counts);
-        settle_recorded_losses(tracer, rays, &losses, colors, counts);
+        settle_packet_losses(tracer, rays, &losses, colors, counts);
     }
 }
 

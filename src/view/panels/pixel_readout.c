@@ -26,28 +26,37 @@ static void append(char text[READOUT_SIZE], const char *format, ...) {
     typeset_numbers(text + used, READOUT_SIZE - used);
 }
 
-/** Appends what the ray through the middle of the pixel meets. */
-static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
-    const PixelReading *reading = &readout->readings[0];
-    char title[THING_TITLE_SIZE] = "";
-    if (reading->shape >= 0 && readout->scene &&
-        (size_t)reading->shape < readout->scene->shape_count) {
-        shape_title(readout->scene, reading->shape, title);
+/** Names what the ray through the middle of a pixel meets. @param[out] title Empty: not known. */
+static void name_shape(const Scene *scene, const PixelReading *reading,
+                       char title[THING_TITLE_SIZE]) {
+    title[0] = '\0';
+    if (reading->shape >= 0 && scene && (size_t)reading->shape < scene->shape_count) {
+        shape_title(scene, reading->shape, title);
     } else if (reading->shape < 0) {
-        snprintf(title, sizeof title, "%s",
+        snprintf(title, THING_TITLE_SIZE, "%s",
                  isfinite(reading->distance) ? gettext("a lamp") : gettext("the sky"));
     }
-    if (title[0] != '\0') {
+}
+
+/** Appends what the ray through the middle of the pixel meets. The layer of shapes says it itself.
+ */
+static void append_shape(const PixelReadout *readout, char text[READOUT_SIZE]) {
+    char title[THING_TITLE_SIZE];
+    name_shape(readout->scene, &readout->readings[0], title);
+    if (title[0] != '\0' && readout->readings[0].layer != LAYER_SHAPES) {
         append(text, ", %s", title);
     }
 }
 
-/** Appends the value of a pixel; of shapes, whose names are told elsewhere, the colour in which the
- *  legend has them: their index counts from 0, across all kinds, and the names do not. */
-static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
-    char value[LAYER_TEXT_SIZE];
+/** Appends the value of a pixel; of the layer of shapes a name, as the index of a shape counts from
+ *  0 over all kinds, and so contradicts the numbers in names. */
+static void append_value(const Scene *scene, const PixelReading *reading, char text[READOUT_SIZE]) {
+    char value[LAYER_TEXT_SIZE], title[THING_TITLE_SIZE];
     const uint8_t *rgb = reading->rgb;
-    if (reading->layer == LAYER_SHADED || reading->layer == LAYER_SHAPES) {
+    name_shape(scene, reading, title);
+    if (reading->layer == LAYER_SHAPES && title[0] != '\0') {
+        append(text, "%s%s%s", gettext(layer_name(reading->layer)), gettext(": "), title);
+    } else if (reading->layer == LAYER_SHADED) {
         append(text, gettext("colour %d %d %d of 255"), rgb[0], rgb[1], rgb[2]);
     } else {
         layer_value_text(reading->layer, reading->values, value);
@@ -55,9 +64,9 @@ static void append_value(const PixelReading *reading, char text[READOUT_SIZE]) {
     }
 }
 
-void pixel_readout_value(const PixelReading *reading, char text[READOUT_SIZE]) {
+void pixel_readout_value(const PixelReadout *readout, size_t picture, char text[READOUT_SIZE]) {
     text[0] = '\0';
-    append_value(reading, text);
+    append_value(readout->scene, &readout->readings[picture], text);
 }
 
 /** Appends the difference of two pixels, if there is one. */
@@ -101,16 +110,16 @@ void pixel_readout_write(const PixelReadout *readout, char text[READOUT_SIZE]) {
     append_shape(readout, text);
     if (readout->count == 1) {
         append(text, ", ");
-        append_value(&readout->readings[0], text);
+        append_value(readout->scene, &readout->readings[0], text);
         if (readout->readings[0].layer == LAYER_SHADED && readout->samples > 1) {
             append(text, gettext(" (mean of up to %d samples)"), readout->samples);
         }
         return;
     }
     append(text, "\n%s ", gettext("left:"));
-    append_value(&readout->readings[0], text);
+    append_value(readout->scene, &readout->readings[0], text);
     append(text, "\n%s ", gettext("right:"));
-    append_value(&readout->readings[1], text);
+    append_value(readout->scene, &readout->readings[1], text);
     append(text, "\n");
     append_difference(&readout->readings[0], &readout->readings[1], text);
 }

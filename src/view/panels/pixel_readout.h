@@ -29,8 +29,8 @@ typedef struct PixelReadout {
                                                   that of fewer. */
 } PixelReadout;
 
-/** Writes the value of one picture alone. */
-void pixel_readout_value(const PixelReading *reading, char text[READOUT_SIZE]);
+/** Writes the value of one picture alone. @param picture Its index. */
+void pixel_readout_value(const PixelReadout *readout, size_t picture, char text[READOUT_SIZE]);
 
 /** Writes the difference of two pictures alone. */
 void pixel_readout_difference(const PixelReading readings[READOUT_PICTURES],

@@ -57,7 +57,7 @@ wrong "lesson { scene = \"$box\", offset = \"nne\" }" '1: offset must be .*; did
 wrong "$begin wait(2) set(\"light\", 9, \"intensity\", 1)" ' the step at 2 s names `light` number 9, which .*'
 wrong "$begin select(\"sphere\", 7)" ' the step at 0 s names `sphere` number 7, which .*'
 wrong "$begin drag(5, 1, 0, 0)" ' the step at 0 s names light number 5, which .*'
-wrong "$begin ball(1)" '1: unknown word `ball`'
+wrong "$begin torus(1)" '1: unknown word `torus`'
 echo "$begin" >"$work/a.lua"
 expect 3 "^$work/a.lua: this lesson is for $box, not for scenes/chess.lua\$" 'a lesson for another scene' \
     "$dioptre" view scenes/chess.lua --lesson "$work/a.lua"

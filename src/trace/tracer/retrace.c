@@ -235,7 +235,7 @@ static void settle_pooled_losses(const Tracer *tracer, const RayState *rays, Los
 /** Settles the losses of a packet. A ray tree shows the rays of the last pass: merged rays are not
  *  recorded, only their light; nor do they count, as the counts are those of the tree. */
 static void settle_packet_losses(const Tracer *tracer, const RayState *rays, Losses *losses,
-                                   Rgb *colors, RayCounts *counts) {
+                                 Rgb *colors, RayCounts *counts) {
     RayTree *ray_tree = sample_context_ray_tree(&rays->packet.context);
     if (!ray_tree) {
         settle_pooled_losses(tracer, rays, losses, colors, counts);

@@ -23,10 +23,19 @@ bool data_dir_installed_scenes(char folder[PATH_MAX]) {
     return find_folder("../share/dioptre/scenes", folder);
 }
 
-bool data_dir_scenes(char folder[PATH_MAX]) {
+/** @return Whether there is a folder of scenes with one of lessons; another of its name has none.
+ *  @param path Its path from the program. */
+static bool find_scenes_with_lessons(const char *path, char folder[PATH_MAX]) {
     char lessons[PATH_MAX];
-    return data_dir_installed_scenes(folder) ||
-           // The folder of a build, or one in it; another folder of this name has no lessons.
-           (find_folder("../scenes/lessons", lessons) && find_folder("../scenes", folder)) ||
-           (find_folder("../../scenes/lessons", lessons) && find_folder("../../scenes", folder));
+    return find_folder(path, folder) &&
+           snprintf(lessons, sizeof lessons, "%s/lessons", folder) < PATH_MAX &&
+           access(lessons, R_OK | X_OK) == 0;
+}
+
+bool data_dir_scenes(char folder[PATH_MAX]) {
+    // From the folder of a build; of a build with sanitizers, or of tests; and of tests of such a
+    // build.
+    return data_dir_installed_scenes(folder) || find_scenes_with_lessons("../scenes", folder) ||
+           find_scenes_with_lessons("../../scenes", folder) ||
+           find_scenes_with_lessons("../../../scenes", folder);
 }

@@ -12,6 +12,12 @@ echo '-- A small scene. Nothing in it.' >"$work/few/empty.lua"
 echo 'camera {}' >>"$work/few/empty.lua"
 echo 'no scene' >"$work/few/words.txt"
 
+# A program that is far from its own scenes: the list has those of the folder alone.
+mkdir "$work/alone"
+cp -r "$BUILD"/dioptre "$BUILD"/dioptre-* "$BUILD"/locale "$work/alone"
+whole=$dioptre
+dioptre=$work/alone/dioptre
+
 open "$work/few/box.lua" --samples 1
 shown finished
 settled
@@ -60,7 +66,8 @@ xdotool key r
 leave
 
 # --- lessons ---------------------------------------------------------------------------------------
-open "$root/scenes/box.lua" --samples 1
+dioptre=$whole
+open "$work/few/box.lua" --samples 1 # The program's lessons are in each list.
 shown finished
 xdotool key shift+f && settled
 xdotool key Return
@@ -75,6 +82,7 @@ expect_shown '^Shadows' 'Tab in the list goes to the lessons'
 xdotool key Escape Escape f Tab Return
 expect_shown '^Shadows' 'also where the keys come before the list'
 leave
+dioptre=$work/alone/dioptre
 # What is slow: a scene for ever, with others before and after it, and keys meanwhile.
 echo 'while true do end' >"$work/few/ever.lua"
 open "$work/few/box.lua" --samples 1

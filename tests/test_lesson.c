@@ -346,6 +346,28 @@ static void test_relative_paths(void **state) {
     }
 }
 
+/** A step may name only what the scene has, unless the scene depends on time. */
+static void test_objects(void **state) {
+    (void)state;
+    Error error = {0};
+    Scene *scene = create_empty_scene();
+    Lesson *lesson = lesson_create(&error);
+    const int sphere = scene_object_keyword_find("sphere");
+    const LessonStep steps[] = {
+        {.kind = LESSON_SELECT, .keyword = sphere},
+        {.kind = LESSON_SELECT, .time = 1500, .keyword = sphere, .action = 1}};
+    assert_true(lesson_add(lesson, &steps[0], &error)); // Nothing is selected.
+    assert_true(lesson_check_scene(lesson, scene, &error));
+    assert_true(lesson_add(lesson, &steps[1], &error));
+    assert_false(lesson_check_scene(lesson, scene, &error));
+    assert_string_equal(error.message, "the step at 1.5 s names `sphere` number 1, which the scene "
+                                       "does not have");
+    scene->is_time_dependent = true;
+    assert_true(lesson_check_scene(lesson, scene, &error));
+    lesson_destroy(lesson);
+    scene_destroy(scene);
+}
+
 /** Runs the tests. @return Number of failed tests. */
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -359,6 +381,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_steps, fixture_set_up, fixture_tear_down),
         cmocka_unit_test(test_explained_in_view),
         cmocka_unit_test(test_relative_paths),
+        cmocka_unit_test(test_objects),
         cmocka_unit_test(test_lesson_files)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,6 +72,9 @@ typedef struct LessonQuestion {
     LessonText because;                         /**< Why it is right. */
 } LessonQuestion;
 
+/** Units of #LessonStep.time per second. */
+enum { MILLISECONDS_PER_SECOND = 1000 };
+
 /** One step. */
 typedef struct LessonStep {
     LessonStepKind kind; /**< Its kind. */

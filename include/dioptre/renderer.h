@@ -78,6 +78,9 @@ RenderSettings render_settings_default(const Scene *scene);
 /** Distance to a surface at which sphere tracing stops, in half pixels (doc/marching.md). */
 #define RENDER_FOOTPRINT 0.125
 
+/** The words of `--sampling`, in the order of #Sampling; ended by NULL. */
+extern const char *const sampling_words[];
+
 /** The words of `--methods`, in the order of #MethodSet; ended by NULL. */
 extern const char *const method_set_words[];
 

@@ -191,9 +191,11 @@ static void sync_folder(const char *path) {
     }
 }
 
-/** @return Why an earlier write failed, whose errno is lost: one byte more most likely fails for
- * the same reason. It goes to files that are discarded, and to devices; not to pipes, which
- *          somebody reads. */
+/**
+ * @return Why an earlier write failed, whose errno is lost: one byte more most likely fails for the
+ *         same reason. It goes to files that are discarded, and to devices; not to pipes, which
+ *         somebody reads.
+ */
 static int find_lost_reason(const AtomicFile *file) {
     struct stat status;
     int descriptor = fileno(file->stream);

@@ -33,9 +33,11 @@ static bool find_scenes_with_lessons(const char *path, char folder[PATH_MAX]) {
 }
 
 bool data_dir_scenes(char folder[PATH_MAX]) {
-    // From the folder of a build; of a build with sanitizers, or of tests; and of tests of such a
-    // build.
-    return data_dir_installed_scenes(folder) || find_scenes_with_lessons("../scenes", folder) ||
-           find_scenes_with_lessons("../../scenes", folder) ||
-           find_scenes_with_lessons("../../../scenes", folder);
+    /** From a build; from a build with sanitizers, or tests; from tests of such a build. */
+    static const char *const places[] = {"../scenes", "../../scenes", "../../../scenes"};
+    bool is_found = data_dir_installed_scenes(folder);
+    for (size_t i = 0; !is_found && i < sizeof places / sizeof *places; i++) {
+        is_found = find_scenes_with_lessons(places[i], folder);
+    }
+    return is_found;
 }

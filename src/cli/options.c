@@ -168,7 +168,6 @@ static bool parse_frames(const OptionSpec *option, const char *text, Options *op
 
 /* --- the table -------------------------------------------------------------------------------- */
 
-const char *const sampling_words[] = {"adaptive", "full", NULL};
 /** Values of `--rays`, in the order of #BenchRays. */
 static const char *const rays_words[] = {"image", "primary", "random", NULL};
 /** Values of `--keys`, in the order of #KeyBinding. */

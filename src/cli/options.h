@@ -93,9 +93,6 @@ typedef struct Options {
     bool version;                             /**< `--version` */
 } Options;
 
-/** Values of `--sampling`, in the order of #Sampling; ended by NULL. */
-extern const char *const sampling_words[];
-
 /** A command. */
 typedef struct Command {
     CommandId id;                /**< Its bit in #OptionSpec.commands. */

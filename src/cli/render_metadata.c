@@ -5,6 +5,7 @@
 #include "cli/render_metadata.h"
 
 #include "base/base_name.h"
+#include "base/exact_digits.h"
 #include "cli/commands.h"
 #include "dioptre/scene.h"
 
@@ -37,6 +38,7 @@ void render_metadata_init(RenderMetadata *metadata, const Options *options, doub
     const char *scene = base_name_of(options->arguments[0]);
     const TraceSettings *trace = &settings->trace;
     const char *sampling = sampling_words[settings->sampling];
+    const int time_digits = exact_digits(time, 1);
     char offset[64];
     *metadata = (RenderMetadata){.count = 0};
     int length = snprintf(offset, sizeof offset, "%s", offset_strategy_names[trace->offset]);
@@ -44,15 +46,15 @@ void render_metadata_init(RenderMetadata *metadata, const Options *options, doub
         snprintf(offset + length, sizeof offset - (size_t)length, " %g", trace->epsilon);
     }
     add_entry(metadata, "Software", "dioptre " DIOPTRE_VERSION);
-    // Many formats keep the description only.
+    // JPEG keeps the description only.
     add_entry(metadata, "ImageDescription",
-              "scene %s, time %.15g s, engine %s, %dx%d, samples %d, depth %d, offset %s, "
+              "scene %s, time %.*g s, engine %s, %dx%d, samples %d, depth %d, offset %s, "
               "cutoff %g, sampling %s, methods %s, pixel %s",
-              scene, time, settings->engine->name, settings->width, settings->height,
+              scene, time_digits, time, settings->engine->name, settings->width, settings->height,
               settings->samples, trace->depth, offset, trace->cutoff, sampling,
               method_set_words[settings->method_set], pixel_point_words[trace->pixel_point]);
     add_entry(metadata, "dioptre:scene", "%s", scene);
-    add_entry(metadata, "dioptre:time", "%.15g", time);
+    add_entry(metadata, "dioptre:time", "%.*g", time_digits, time);
     add_entry(metadata, "dioptre:engine", "%s", settings->engine->name);
     add_entry(metadata, "dioptre:size", "%dx%d", settings->width, settings->height);
     add_entry(metadata, "dioptre:samples", "%d", settings->samples);

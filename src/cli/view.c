@@ -98,6 +98,32 @@ static bool check_lesson_objects(const Lesson *lesson, const char *path, const S
 }
 
 /**
+ * Replaces the scene by the one that the window asks for, or by that of a lesson.
+ * @param[in,out] options  Get the scene, and the settings of the lesson.
+ * @param[in,out] time     Becomes that of the lesson.
+ * @param[out] lesson      The lesson; NULL: none.
+ * @return false if the lesson cannot be read.
+ */
+static bool apply_requested_path(const ViewRequest *request, Options *options, double *time,
+                                 Lesson **lesson, Error *error) {
+    *lesson = NULL;
+    if (!request->path) {
+        return true;
+    }
+    options->arguments[0] = request->path;
+    options->argument_count = 1;
+    options->base_dir = NULL;
+    if (!lesson_file_is(request->path)) {
+        return true;
+    }
+    *lesson = open_lesson(request->path, options, error);
+    if (*lesson) {
+        *time = (*lesson)->initial_settings.time;
+    }
+    return *lesson != NULL;
+}
+
+/**
  * Loads a scene, or a lesson with its scene. See #ViewLoader.
  * @param stop  Loading ends early once this is true.
  * @param[out] render  Its settings.
@@ -111,18 +137,8 @@ static Scene *load_scene(void *context, const ViewRequest *request, const atomic
     Options options = request->path ? *source->command_line : source->options;
     double time = request->time;
     bool needs_new_cache = request->path || request->force_reload || !source->cache;
-    *lesson = NULL;
-    if (request->path) {
-        options.arguments[0] = request->path;
-        options.argument_count = 1;
-        options.base_dir = NULL;
-    }
-    if (request->path && lesson_file_is(request->path)) {
-        *lesson = open_lesson(request->path, &options, error);
-        if (!*lesson) {
-            return NULL;
-        }
-        time = (*lesson)->initial_settings.time;
+    if (!apply_requested_path(request, &options, &time, lesson, error)) {
+        return NULL;
     }
     AssetCache *cache = needs_new_cache ? asset_cache_create(error) : source->cache;
     Scene *scene = cache ? command_run_scene(&options,

@@ -34,9 +34,6 @@ Lesson *lesson_create_at(void *address, Error *error) {
     return lesson;
 }
 
-/** Units of #LessonStep.time per second. */
-static const double MILLISECONDS_PER_SECOND = 1000;
-
 /** @return Whether a scene has what a step names: an object or a light. */
 static bool check_step_in_scene(const LessonStep *step, const Scene *scene, Error *error) {
     SceneObject object;

@@ -3,26 +3,13 @@
  * @brief Parameter tables.
  */
 #include "dioptre/parameter.h"
+#include "base/exact_digits.h"
 #include "base/language.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-/** @return The fewest digits, 6 as for `%g` or more, that tell a number from all others. */
-static int distinct_digits(double value) {
-    /** Digits that tell any two doubles apart, and the size of a number with them. */
-    enum { DIGITS_MAXIMUM = 17, TEXT_SIZE = 32 };
-    int digits = 6;
-    char text[TEXT_SIZE];
-    for (; digits < DIGITS_MAXIMUM; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) {
-            break;
-        }
-    }
-    return digits;
-}
+/** Fewest digits of a number in an error: as for `%g`. */
+enum { ERROR_DIGITS = 6 };
 
 bool parameter_check_range(const Parameter *parameter, double value, Error *error) {
     if (!isfinite(value)) {
@@ -31,11 +18,12 @@ bool parameter_check_range(const Parameter *parameter, double value, Error *erro
     bool is_below =
         parameter->excludes_minimum ? value <= parameter->minimum : value < parameter->minimum;
     if (is_below || value > parameter->maximum) {
-        return error_set(
-            error, STATUS_SCENE,
-            parameter->excludes_minimum ? N_("%s must be above %g and at most %g, not %.*g")
-                                        : N_("%s must be at least %g and at most %g, not %.*g"),
-            parameter->name, parameter->minimum, parameter->maximum, distinct_digits(value), value);
+        return error_set(error, STATUS_SCENE,
+                         parameter->excludes_minimum
+                             ? N_("%s must be above %g and at most %g, not %.*g")
+                             : N_("%s must be at least %g and at most %g, not %.*g"),
+                         parameter->name, parameter->minimum, parameter->maximum,
+                         exact_digits(value, ERROR_DIGITS), value);
     }
     return true;
 }

@@ -88,39 +88,29 @@ static Vec3d direction_from_pan_tilt(double pan, double tilt) {
                    -cos(tilt_radians) * cos(pan_radians)};
 }
 
-/** @return The vector that points up in the picture of a camera of two angles: how its direction
- * turns with the tilt. It is defined also where the camera looks straight up or down. */
-static Vec3d up_from_pan_tilt(double pan, double tilt) {
-    double pan_radians = pan * RADIANS_PER_DEGREE;
-    double tilt_radians = tilt * RADIANS_PER_DEGREE;
-    return (Vec3d){-sin(tilt_radians) * sin(pan_radians), cos(tilt_radians),
-                   sin(tilt_radians) * cos(pan_radians)};
-}
-
-/** @return Whether two vectors are parallel, as nearly as a camera can tell. @param direction A
- * unit vector. @param up Any vector but zero. */
-static bool is_parallel(Vec3d direction, Vec3d up) {
-    /** Sine of the angle below which two directions count as parallel. */
-    const double parallel_tolerance = 1e-9;
-    return !(vec3d_length(vec3d_cross(direction, vec3d_normalize(up))) > parallel_tolerance);
+/** @return A vector that is up where a camera looks along its own `up`: the axis least aligned with
+ *          the direction. */
+static Vec3d other_up(Vec3d direction) {
+    double x = fabs(direction.x), y = fabs(direction.y), z = fabs(direction.z);
+    if (y > x && y > z) {
+        // For a view straight down with y up, -z is the top of the image, as on a map.
+        return (Vec3d){0, 0, direction.y > 0 ? 1 : -1};
+    }
+    return z <= x && z <= y ? (Vec3d){0, 0, 1} : x <= y ? (Vec3d){1, 0, 0} : (Vec3d){0, 1, 0};
 }
 
 /**
- * @return The component of `up` perpendicular to `direction`, as a unit vector. If the two are
- *         parallel, the axis least aligned with the direction replaces `up`.
+ * @return The component of `up` perpendicular to `direction`, as a unit vector.
  * @param direction  A unit vector.
  * @param up         Any vector but zero.
+ * @param other      What replaces `up` if it is parallel to the direction.
  */
-static Vec3d orthogonal_up(Vec3d direction, Vec3d up) {
+static Vec3d orthogonal_up(Vec3d direction, Vec3d up, Vec3d other) {
+    /** Sine of the angle below which two directions count as parallel. */
+    const double parallel_tolerance = 1e-9;
     Vec3d right = vec3d_cross(direction, vec3d_normalize(up));
-    if (is_parallel(direction, up)) {
-        double x = fabs(direction.x), y = fabs(direction.y), z = fabs(direction.z);
-        Vec3d axis = z <= x && z <= y ? (Vec3d){0, 0, 1}
-                     : x <= y         ? (Vec3d){1, 0, 0}
-                                      : (Vec3d){0, 1, 0};
-        /* For a view straight down with y up, -z is the top of the image, as on a map. */
-        axis = y > x && y > z ? (Vec3d){0, 0, direction.y > 0 ? 1 : -1} : axis;
-        right = vec3d_cross(direction, axis);
+    if (!(vec3d_length(right) > parallel_tolerance)) {
+        right = vec3d_cross(direction, other);
     }
     return vec3d_normalize(vec3d_cross(vec3d_normalize(right), direction));
 }
@@ -151,10 +141,10 @@ static bool scene_camera_finish(void *values, uint64_t given, Error *error) {
     }
     camera->target_distance = by_point ? distance : 1;
     camera->direction = vec3d_normalize(camera->direction);
-    if (by_angles && is_parallel(camera->direction, camera->up)) {
-        camera->up = up_from_pan_tilt(camera->pan, camera->tilt);
-    }
-    camera->up = orthogonal_up(camera->direction, camera->up);
+    // A quarter turn above the direction is upright in the picture, straight up and down as well.
+    Vec3d other = by_angles ? direction_from_pan_tilt(camera->pan, camera->tilt + 90)
+                            : other_up(camera->direction);
+    camera->up = orthogonal_up(camera->direction, camera->up, other);
     return true;
 }
 
@@ -216,7 +206,7 @@ void scene_camera_rotate(SceneCamera *camera, Vec3d vertical, double pan, double
     Vec3d direction =
         rotate_about_axis(camera->direction, scene_camera_right(camera), new_tilt - old_tilt);
     camera->direction = vec3d_normalize(rotate_about_axis(direction, vertical, -pan));
-    camera->up = orthogonal_up(camera->direction, vertical);
+    camera->up = orthogonal_up(camera->direction, vertical, other_up(camera->direction));
 }
 
 void scene_camera_orbit(SceneCamera *camera, Vec3d vertical, Vec3d center, double pan,

@@ -121,7 +121,7 @@ static int read_action(lua_State *L, bool is_move) {
  */
 static void advance_time(lua_State *L, int index) {
     double seconds = read_number(L, index, "seconds", 0, LESSON_WAIT_MAXIMUM);
-    current_builder(L)->time += llround(seconds * 1000);
+    current_builder(L)->time += llround(seconds * MILLISECONDS_PER_SECOND);
 }
 
 /** `lesson { scene = ..., ... }`. See lua_CFunction. @return 0 */

@@ -117,7 +117,7 @@ static void read_list(lua_State *L, int index, const Parameter *row, const Numbe
                                        "%s must be %s; there are %lld things between the braces%s",
                                        (unsigned long)count);
         lua_error_tr(L, message, row->name, gettext(list->expected), (long long)count,
-                     count > 0 ? decimal_point_hint() : "");
+                     count > 1 ? decimal_point_hint() : "");
     }
     for (int i = 0; i < list->count; i++) {
         if (lua_geti(L, index, i + 1) != LUA_TNUMBER) {

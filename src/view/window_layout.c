@@ -162,8 +162,8 @@ static SDL_Point size_in_units(const Window *window) {
     return size;
 }
 
-/** @return The height of letters that the bar leaves room for, screen units. */
-static float roomy_text_size(const Window *window) {
+/** @return The height of letters by the height below the bar as it is, screen units. */
+static float unsettled_text_size(const Window *window) {
     int width = 0, height = 0;
     double scale = window->text_scale > 0 ? window->text_scale : 1;
     scale *= window->is_presenting ? (double)PRESENTATION_SCALE : 1;
@@ -203,7 +203,7 @@ void window_settle_text_size(Window *window) {
     if (!is_same_layout(&fit, &window->text_fit)) {
         window->text_fit = fit;
     }
-    float size = roomy_text_size(window);
+    float size = unsettled_text_size(window);
     // With larger letters the bar may need another row, which leaves room for smaller ones, and
     // with these it needs a row less: this would go on for ever. Letters that have grown do not
     // shrink.

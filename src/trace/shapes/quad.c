@@ -38,7 +38,7 @@ INLINE mask quad_intersect(const Shape *self, const Ray *ray, mask active, real 
     const Quad *quad = (const Quad *)self;
     mask inside = quad_contains_ray(&quad->corners, ray, active);
     if (any(inside)) {
-        inside = polygon_keeps_hits(&quad->bounds, ray, inside);
+        inside = polygon_rays_in_box(&quad->bounds, ray, inside);
         *distance = plane_equation_distance(&quad->plane, ray);
     }
     return inside;

@@ -108,7 +108,7 @@ INLINE mask triangle_intersect(const Shape *self, const Ray *ray, mask active, r
     const Triangle *triangle = (const Triangle *)self;
     mask inside = polygon_contains_ray(triangle->corners, TRIANGLE_CORNERS, ray, active);
     if (any(inside)) {
-        inside = polygon_keeps_hits(&triangle->bounds, ray, inside);
+        inside = polygon_rays_in_box(&triangle->bounds, ray, inside);
         *distance = triangle_distance(triangle, ray);
     }
     return inside;

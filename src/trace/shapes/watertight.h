@@ -299,7 +299,7 @@ static inline bool polygon_covers_beam(const PolygonEdges *edges, const Beam *be
  *  that is smaller than the roundings of the vectors to its vertices, an edge function can have any
  *  sign: without the box, such a speck is hit from afar. @param inside The rays inside the edges.
  */
-INLINE mask polygon_keeps_hits(const Aabbs *bounds, const Ray *ray, mask inside) {
+INLINE mask polygon_rays_in_box(const Aabbs *bounds, const Ray *ray, mask inside) {
     const Aabb box = aabb_splat(*bounds);
     real near;
     return inside & slab_intersects(ray, &box, real_of(INFINITE), &near);

@@ -95,10 +95,10 @@ static void write_head(const App *app, FILE *file) {
 }
 
 void lesson_writer_wait(FILE *file, int64_t milliseconds) {
-    const int64_t longest = (int64_t)(1000 * LESSON_WAIT_MAXIMUM);
+    const int64_t longest = (int64_t)(MILLISECONDS_PER_SECOND * LESSON_WAIT_MAXIMUM);
     for (; milliseconds > 0; milliseconds -= longest) {
         int64_t duration = milliseconds < longest ? milliseconds : longest;
-        fprintf(file, "wait(%.7g)\n", (double)duration / 1000);
+        fprintf(file, "wait(%.7g)\n", (double)duration / MILLISECONDS_PER_SECOND);
     }
 }
 
@@ -119,7 +119,7 @@ static void move_by_clock(void *context, Movement light, Movement camera) {
 /** Advances the clock to the time of an event, never backwards. @param time Seconds on
  *  #clock_now_seconds. */
 static void advance_clock(Recorder *recorder, double time) {
-    int64_t moment = (int64_t)floor((time - recorder->start_time) * 1000);
+    int64_t moment = (int64_t)floor((time - recorder->start_time) * MILLISECONDS_PER_SECOND);
     int64_t now = recorder->step_clock.now;
     step_clock_advance(&recorder->step_clock, moment > now ? moment : now);
 }
@@ -143,8 +143,9 @@ double recorder_timeout(const App *app, double now) {
     const Recorder *recorder = &app->recorder;
     bool is_waiting = app_is_recording(app) && window_is_ready(&app->window);
     int64_t next = is_waiting ? step_clock_next_tick(&recorder->step_clock) : INT64_MAX;
-    return next == INT64_MAX ? WINDOW_NO_TIMEOUT
-                             : fmax(0, recorder->start_time + (double)(next + 1) / 1000 - now);
+    return next == INT64_MAX
+               ? WINDOW_NO_TIMEOUT
+               : fmax(0, recorder->start_time + (double)(next + 1) / MILLISECONDS_PER_SECOND - now);
 }
 
 /* --- events ----------------------------------------------------------------------------------- */

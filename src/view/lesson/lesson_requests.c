@@ -217,9 +217,8 @@ static bool steer_card(App *app, const Command *command) {
     bool is_enter = command_is(command, "caption");
     if (command_is(command, "time back")) {
         step_back(app);
-    } else if (is_enter) { // As the button that is drawn as the one to press.
-        handle_card_request(app, app->player.next_path[0] != '\0' ? LESSON_REQUEST_NEXT
-                                                                  : LESSON_REQUEST_AGAIN);
+    } else if (is_enter) {
+        handle_card_request(app, lesson_panel_card_default(&app->window.lesson_panel));
     }
     return is_enter || command_is(command, "time") || command_is(command, "time back") ||
            command_is(command, "time on");

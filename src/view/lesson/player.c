@@ -184,7 +184,7 @@ void player_update(App *app, double now) {
     if (player->repeat_end > 0) {
         player_repeat_steps(app);
     } else if (window_is_ready(&app->window)) {
-        int64_t passed = (int64_t)floor((now - player->start_time) * 1000);
+        int64_t passed = (int64_t)floor((now - player->start_time) * MILLISECONDS_PER_SECOND);
         play_until(app,
                    player_is_unattended(app) ? INT64_MAX : SDL_max(passed, player->step_clock.now));
     }
@@ -204,7 +204,9 @@ double player_timeout(const App *app, double now) {
                        ? player->lesson->steps[player->next_step].time
                        : player->step_clock.now;
     int64_t next = SDL_min(step, step_clock_next_tick(&player->step_clock) + 1);
-    return player_is_unattended(app) ? 0 : fmax(0, player->start_time + (double)next / 1000 - now);
+    return player_is_unattended(app)
+               ? 0
+               : fmax(0, player->start_time + (double)next / MILLISECONDS_PER_SECOND - now);
 }
 
 bool player_capture(App *app, Error *error) {

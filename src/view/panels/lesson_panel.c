@@ -247,16 +247,21 @@ static void show_score(const LessonPanel *panel) {
     }
 }
 
+LessonRequestKind lesson_panel_card_default(const LessonPanel *panel) {
+    return panel->has_next ? LESSON_REQUEST_NEXT : LESSON_REQUEST_AGAIN;
+}
+
 /** Shows the buttons of the end card. */
 static void show_card_buttons(LessonPanel *panel) {
+    const LessonRequestKind usual = lesson_panel_card_default(panel);
     const char *again = gettext("2  again"), *close = gettext("3  close (Esc)");
     if (panel->has_next) {
-        if (gui_step_button(gettext("1  next lesson"), NULL, true, true)) {
+        if (gui_step_button(gettext("1  next lesson"), NULL, true, usual == LESSON_REQUEST_NEXT)) {
             request(panel, LESSON_REQUEST_NEXT, 0);
         }
         gui_same_line(again);
     }
-    if (gui_step_button(again, NULL, true, !panel->has_next)) {
+    if (gui_step_button(again, NULL, true, usual == LESSON_REQUEST_AGAIN)) {
         request(panel, LESSON_REQUEST_AGAIN, 0);
     }
     gui_same_line(close);

@@ -63,6 +63,9 @@ const char *lesson_panel_verdict(const LessonQuestion *question, int answer);
 /** Writes how many predictions were right; nothing if none was asked for. */
 void lesson_panel_write_score(const LessonPanel *panel, char *line, size_t size);
 
+/** @return What the highlighted button of the end card requests, and Enter. */
+LessonRequestKind lesson_panel_card_default(const LessonPanel *panel);
+
 /** Shows the panel in a rectangle of the window, screen units. */
 void lesson_panel_show(LessonPanel *panel, const SDL_Rect *rect);
 

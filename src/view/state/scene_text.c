@@ -4,18 +4,15 @@
  */
 #include "view/state/scene_text.h"
 
+#include "base/exact_digits.h"
+
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
 /** Prints a number with the fewest digits that give it back exactly. */
 static void print_number(double value, FILE *file) {
-    char text[32];
-    int digits = DBL_DIG;
-    do {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-    } while (strtod(text, NULL) != value && ++digits <= DBL_DECIMAL_DIG);
-    fputs(text, file);
+    fprintf(file, "%.*g", exact_digits(value, DBL_DIG), value);
 }
 
 /** Prints a list of numbers. @param count At least 1. */

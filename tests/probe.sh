@@ -51,7 +51,7 @@ head -1 "$work/out" | grep -qF "\"steps\": $steps" && ok 'with merged rays, too,
     fail "with merged rays: the picture has $steps"
 grep -q '"merged": \[0, 0, 0\]' "$work/out" && fail 'no merged light is told' || ok 'merged light is told'
 ray_sums <"$work/out" >"$work/sums"
-holds "$work/sums" '^adds up' 'with merged rays it adds up'
+holds "$work/sums" '^adds up' 'all rays but the first, which has the difference, add up'
 expect 0 '' 'the same in words' "$dioptre" probe $deep 13 9 -s $size --offset none
 holds "$work/out" '^  \+ merged rays' 'merged light in words'
 expect 0 '' 'the first ray in full' "$dioptre" probe $deep 13 9 -s $size --offset none --ray 0

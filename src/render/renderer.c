@@ -9,8 +9,6 @@
 #include <sched.h>
 #include <stdlib.h>
 
-const char *const sampling_words[] = {"adaptive", "full", NULL};
-
 int render_cpu_count(void) {
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) != 0) {

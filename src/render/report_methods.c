@@ -1,6 +1,7 @@
 /**
  * @file
- * @brief The table of the reports' methods: a row per report; words for them and for pixels.
+ * @brief The table of the reports' methods: a row per report; words for them, for pixels and for
+ * sampling.
  */
 #include "base/language.h"
 #include "dioptre/renderer.h"
@@ -56,6 +57,7 @@ static const MethodSetRow rows[METHODS_COUNT] = {
 
 const char *const method_set_words[] = {"own", "a", "b", "c", "d", NULL};
 
+const char *const sampling_words[] = {"adaptive", "full", NULL};
 const char *const pixel_point_words[] = {"center", "corner", NULL};
 
 const char *pixel_point_name(PixelPoint point) {

@@ -6,6 +6,7 @@
 #include "app_window.h"
 #include "no_thumbnails.h"
 
+#include "view/commands/recorder.h"
 #include "view/gui/typeface.h"
 
 /** A scene with two lights, glass, a mirror and a field that is marched to. */
@@ -328,13 +329,101 @@ static void test_things(void **state) {
     assert_false(object_inspector_is_open(inspector));
 }
 
+/** A key goes down or up. @param type SDL_KEYDOWN or SDL_KEYUP. @param modifiers SDL's. */
+static void key_event(Uint32 type, SDL_Keycode key, Uint16 modifiers) {
+    SDL_Event event = {.key = {.type = type,
+                               .timestamp = SDL_GetTicks(),
+                               .keysym = {SDL_GetScancodeFromKey(key), key, modifiers, 0}}};
+    input_handle_event(&opened.app, &event);
+}
+
 /** Presses a key, and lets it up. */
 static void press(SDL_Keycode key) {
-    for (int up = 0; up < 2; up++) {
-        SDL_Event event = {.key = {.type = up ? SDL_KEYUP : SDL_KEYDOWN,
-                                   .timestamp = SDL_GetTicks(),
-                                   .keysym = {SDL_GetScancodeFromKey(key), key, 0, 0}}};
-        input_handle_event(&opened.app, &event);
+    key_event(SDL_KEYDOWN, key, 0);
+    key_event(SDL_KEYUP, key, 0);
+}
+
+/** A mouse button goes down or up. @param type SDL_MOUSEBUTTONDOWN or SDL_MOUSEBUTTONUP. */
+static void button_event(Uint32 type, Uint8 button, int x, int y) {
+    SDL_Event event = {.button = {.type = type,
+                                  .button = button,
+                                  .state = type == SDL_MOUSEBUTTONDOWN ? SDL_PRESSED : SDL_RELEASED,
+                                  .x = x,
+                                  .y = y}};
+    input_handle_event(&opened.app, &event);
+}
+
+/** A key that moves something stops when it goes up, whatever other key has made of it, and whoever
+ *  has the keyboard by then; while it is held it is no other command. */
+static void test_keys_go_up(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const HeldKeys *held_keys = &app->input.held_keys;
+    const Move down = command_find(command_table, "light down")->move;
+    const Move forward = command_find(command_table, "camera up")->move;
+    key_event(SDL_KEYDOWN, SDLK_s, 0);
+    assert_true(held_keys_is_down(held_keys, down));
+    key_event(SDL_KEYUP, SDLK_s, KMOD_LCTRL); // Ctrl and S writes an object.
+    assert_false(held_keys_is_down(held_keys, down));
+    key_event(SDL_KEYDOWN, SDLK_UP, 0);
+    assert_true(held_keys_is_down(held_keys, forward));
+    run("things");
+    draw();
+    key_event(SDL_KEYUP, SDLK_UP, 0);
+    assert_false(held_keys_is_down(held_keys, forward));
+    run("leave");
+    // A repeated key is still the move.
+    app_zoom(app, 1);
+    const double fov = app->scene->camera.fov;
+    key_event(SDL_KEYDOWN, SDLK_s, 0);
+    SDL_Event repeated = {
+        .key = {.type = SDL_KEYDOWN,
+                .repeat = 1,
+                .keysym = {SDL_GetScancodeFromKey(SDLK_s), SDLK_s, KMOD_LCTRL, 0}}};
+    input_handle_event(app, &repeated);
+    assert_true(app->scene->camera.fov == fov);
+    assert_true(held_keys_is_down(held_keys, down));
+    key_event(SDL_KEYUP, SDLK_s, 0);
+    assert_false(held_keys_is_down(held_keys, down));
+}
+
+/** Each mouse button lets go of what it holds, and of nothing else. */
+static void test_two_buttons(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    InputState *input = &app->input;
+    input->is_light_dragged = true; // As if the left button held a lamp.
+    button_event(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_RIGHT, 20, 20);
+    assert_int_equal(input->camera_drag, CAMERA_IS_TURNED);
+    button_event(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT, 20, 20);
+    assert_false(input->is_light_dragged);
+    assert_int_equal(input->camera_drag, CAMERA_IS_TURNED);
+    button_event(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_MIDDLE, 20, 20);
+    button_event(SDL_MOUSEBUTTONUP, SDL_BUTTON_MIDDLE, 20, 20);
+    assert_int_equal(input->camera_drag, CAMERA_IS_TURNED);
+    button_event(SDL_MOUSEBUTTONUP, SDL_BUTTON_RIGHT, 20, 20);
+    assert_int_equal(input->camera_drag, CAMERA_IS_FREE);
+}
+
+/** A caption that is typed is accepted by a click and by the end of the recording. */
+static void test_caption_accepted(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    Error error = {0};
+    for (int ends = 0; ends < 2; ends++) {
+        assert_true(recorder_begin(app, &error));
+        recorder_begin_caption(app);
+        SDL_Event typed = {.text = {.type = SDL_TEXTINPUT, .text = "words"}};
+        input_handle_event(app, &typed);
+        if (!ends) {
+            button_event(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT, 20, 20);
+            assert_false(app->recorder.is_entering_caption);
+            button_event(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT, 20, 20);
+        }
+        assert_true(recorder_end(app, &error));
+        assert_false(caption_is_open(&app->window.caption) || SDL_IsTextInputActive());
+        const char *lesson = file_text(ends ? "scene-lesson-0002.lua" : "scene-lesson-0001.lua");
+        assert_non_null(strstr(lesson, "caption { en = \"words\""));
     }
 }
 
@@ -868,6 +957,9 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_help_over_list, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_saved, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_window_events, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_keys_go_up, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_two_buttons, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_caption_accepted, set_up, close_app_window),
     };
     return cmocka_run_group_tests_name("commands", tests, NULL, NULL);
 }

@@ -216,6 +216,45 @@ static void test_not_written(void **state) {
     assert_int_equal(strlen(file_text("scene.lua")), sizeof SCENE - 2);
 }
 
+/** While a faulty text cannot be shown, objects on screen stand at lines of an older one: nothing
+ * is written at these, into the file or a copy. */
+static void test_faulty_text(void **state) {
+    (void)state;
+    static const char faulty[] = "sphere { radius = 2 }\nsphere {\n";
+    App *app = &opened.app;
+    write_text("scene.lua", faulty);
+    current_scene_on_file_event(app);
+    assert_false(settle());
+    choose("sphere", 2);
+    set_radius(2, 0.5);
+    settle();
+    edits_write(app);
+    assert_status("the file has changed");
+    edits_save_copy(app);
+    assert_status("the file has changed");
+    assert_string_equal(file_text("scene.lua"), faulty);
+    write_text("scene.lua", SCENE);
+    current_scene_on_file_event(app);
+    assert_true(settle());
+    set_radius(2, 0.5);
+    assert_true(settle());
+    edits_write(app);
+    assert_status("1 value written into");
+}
+
+/** A change that is refused takes nothing from what can be done again. */
+static void test_refused_keeps_redo(void **state) {
+    (void)state;
+    App *app = &opened.app;
+    const double fov = app->scene->camera.fov;
+    app_zoom(app, 1);
+    edits_undo(app);
+    assert_true(app->scene->camera.fov == fov);
+    set_radius(2, -1);
+    edits_redo(app);
+    assert_true(app->scene->camera.fov < fov);
+}
+
 /** A copy of the file has the changes of all objects, and the file none; copies are numbered. */
 static void test_save_copy(void **state) {
     (void)state;
@@ -285,6 +324,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_not_written, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_save_copy, set_up, close_app_window),
         cmocka_unit_test_setup_teardown(test_faulty_file, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_faulty_text, set_up, close_app_window),
+        cmocka_unit_test_setup_teardown(test_refused_keeps_redo, set_up, close_app_window),
     };
     return cmocka_run_group_tests_name("changes of objects", tests, NULL, NULL);
 }

@@ -84,9 +84,9 @@ static void test_step_clock_next(void **state) {
     MovementLog log = {0};
     StepClock step_clock = {.move = log_movement, .context = &log, .held_keys = {.speed = 1}};
     step_clock_advance(&step_clock, 100);
-    assert_true(step_clock_next_tick(&step_clock) == INT64_MAX);
+    assert_true(step_clock_next_due(&step_clock) == INT64_MAX);
     held_keys_press(&step_clock.held_keys, move("camera up"), step_clock_seconds(&step_clock));
-    assert_int_equal(step_clock_next_tick(&step_clock), 112);
+    assert_int_equal(step_clock_next_due(&step_clock), 113);
     assert_int_equal(log.count, 0);
 }
 

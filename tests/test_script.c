@@ -423,10 +423,12 @@ static void test_overrides(void **state) {
     write_text(fixture->path, "camera {}\nlocal shared = { radius = 1 }\n"
                               "for i = 1, 2 do sphere(shared) end\n"
                               "light { intensity = 2 }\nlocal m = material {}\n"
-                              "sphere {\n  material = m, scale = 2\n}\n");
+                              "sphere {\n  material = m, scale = 2\n}\n"
+                              "sphere(setmetatable({}, { __index = { radius = 7 } }))\n");
     const SceneOverride overrides[] = {
         {sphere, 2, scene_object_row_find(sphere, "radius"), {3}},
         {sphere, 3, scene_object_row_find(sphere, "translate"), {1, 2, 3}},
+        {sphere, 4, scene_object_row_find(sphere, "center"), {1, 2, 3}},
         {sphere, 9, scene_object_row_find(sphere, "radius"), {3}},
         {light, 1, scene_object_row_find(light, "falloff"), {FALLOFF_INVERSE_SQUARE}},
         {material, 1, scene_object_row_find(material, "color"), {0.5, 0.25, 0.1}},
@@ -442,6 +444,8 @@ static void test_overrides(void **state) {
     assert_true(first->radius == 1 && second->radius == 3);
     assert_true(scene->shapes[2].transform->translate.y == 2);
     assert_true(scene->shapes[2].transform->scale.x == 2);
+    const SphereParameters *inheriting = scene->shapes[3].parameters;
+    assert_true(inheriting->radius == 7 && inheriting->center.y == 2);
     assert_int_equal(scene->lights[0].falloff, FALLOFF_INVERSE_SQUARE);
     assert_true(scene->lights[0].intensity == 2);
     assert_true(scene->materials[1].color.green == 0.25);

@@ -33,6 +33,21 @@ int regular_file_open(const char *path, struct stat *info, Error *error) {
     return file;
 }
 
+bool regular_file_read(int file, char *bytes, size_t size, Error *error) {
+    size_t done = 0;
+    while (done < size) {
+        ssize_t count = pread(file, bytes + done, size - done, (off_t)done);
+        if (count < 0 && errno != EINTR) {
+            return error_set_errno(error, errno);
+        }
+        if (count == 0) {
+            return error_set(error, STATUS_SCENE, "it has become shorter");
+        }
+        done += count > 0 ? (size_t)count : 0;
+    }
+    return true;
+}
+
 bool regular_file_is_unchanged(int file, const struct stat *before, Error *error) {
     struct stat after;
     bool is_same = fstat(file, &after) == 0 && after.st_size == before->st_size &&

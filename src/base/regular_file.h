@@ -32,6 +32,16 @@ int regular_file_open(const char *path, struct stat *info, Error *error);
 bool regular_file_check(int file, struct stat *info, Error *error);
 
 /**
+ * Reads the bytes of a regular file from its beginning.
+ * @param file        Its descriptor.
+ * @param[out] bytes  Memory for them.
+ * @param size        Their number.
+ * @param[out] error  What is wrong (#STATUS_SCENE).
+ * @return false if it cannot be read, or has become shorter.
+ */
+bool regular_file_read(int file, char *bytes, size_t size, Error *error);
+
+/**
  * Checks that size and times of a file have not changed.
  * @param file        Its descriptor.
  * @param before      Its properties when it was opened.

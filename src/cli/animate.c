@@ -162,7 +162,7 @@ static bool produce_frame(Animation *animation, int number, Error *error) {
     const Options *options = animation->options;
     RenderJob job = {.options = options,
                      .output = animation->is_film ? options->output : path,
-                     .time = options->time + number / animation->fps,
+                     .time = options_time(options) + number / animation->fps,
                      .settings = animation->settings,
                      .progress = animation->progress};
     if (!animation->is_film && !frame_pattern_path(&animation->output, number, path, error)) {

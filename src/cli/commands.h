@@ -15,7 +15,7 @@
 void cli_view(const Options *options, Error *error); /**< `view` */
 /** Shows the list of scenes over the first one. @return false without a display or without
  *  scenes: nothing was shown. */
-bool cli_browse(Error *error);
+bool cli_browse(const Options *options, Error *error);
 void cli_render(const Options *options, Error *error);  /**< `render` */
 void cli_animate(const Options *options, Error *error); /**< `animate` */
 void cli_probe(const Options *options, Error *error);   /**< `probe` */

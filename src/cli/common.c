@@ -21,7 +21,7 @@ static atomic_bool is_awaited;
 
 Scene *command_load_scene(const Options *options, RenderSettings *settings, Error *error) {
     Scene *scene = command_run_scene(
-        options, &(SceneRun){.time = options->time, .stop = &is_interrupted}, error);
+        options, &(SceneRun){.time = options_time(options), .stop = &is_interrupted}, error);
     if (scene) {
         *settings = command_print_notes(options, scene);
     }

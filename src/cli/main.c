@@ -157,7 +157,7 @@ static void parse_and_run(int argc, char **argv, Error *error) {
         command ? print_command_help(command) : print_help();
     } else if (command) {
         run_command(command, &options, error);
-    } else if (argc > 1 || !cli_browse(error)) {
+    } else if (argc > 1 || !cli_browse(&options, error)) {
         error_set(error, STATUS_USAGE, "which command? (--help names them)");
     }
     // The output must arrive: a full disk behind a redirection is an error, too.

@@ -388,8 +388,17 @@ static bool parse_option(const Command *command, int code, const char *word, Opt
 }
 
 Options options_default(void) {
-    return (Options){
-        .depth = -1, .ray = -1, .cutoff = -1, .offset = -1, .epsilon = -1, .seconds = -1};
+    return (Options){.time = NAN,
+                     .depth = -1,
+                     .ray = -1,
+                     .cutoff = -1,
+                     .offset = -1,
+                     .epsilon = -1,
+                     .seconds = -1};
+}
+
+double options_time(const Options *options) {
+    return isnan(options->time) ? 0 : options->time;
 }
 
 bool options_parse(const Command *command, int argc, char **argv, Options *options, Error *error) {

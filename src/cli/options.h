@@ -72,7 +72,7 @@ typedef struct Options {
     double fps;                               /**< `--fps` */
     int ray;                                  /**< `--ray`; default -1: none. */
     int threshold;                            /**< `--threshold`, steps of 8 bits. */
-    double time;                              /**< `--time`, seconds. */
+    double time;                              /**< `--time`, seconds; default NaN: #options_time. */
     int offset;                               /**< `--offset`: an #OffsetStrategy; default -1. */
     double epsilon;                           /**< `--epsilon`, scene units; default -1. */
     int pixel;                                /**< `--pixel`: a #PixelPoint. */
@@ -113,6 +113,9 @@ typedef struct Command {
 
 /** @return Options as an empty command line gives them. */
 Options options_default(void);
+
+/** @return The time of the scene, seconds: that of `--time`, or 0. */
+double options_time(const Options *options);
 
 /**
  * Parses a command line.

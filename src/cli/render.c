@@ -134,7 +134,7 @@ static void render_scene(const Scene *scene, const Options *options, const Rende
                          Error *error) {
     RenderJob job = {.options = options,
                      .output = options->output,
-                     .time = options->time,
+                     .time = options_time(options),
                      .settings = *settings};
     Picture picture = {0};
     Renderer *renderer = NULL;

@@ -54,7 +54,7 @@ static bool apply_lesson(Options *options, const Lesson *lesson, const char *pat
     options->depth = options->depth >= 0 ? options->depth : initial->depth;
     options->offset = options->offset >= 0 ? options->offset : initial->offset;
     options->epsilon = options->epsilon >= 0 ? options->epsilon : initial->epsilon;
-    options->time = options->time != 0 ? options->time : initial->time;
+    options->time = isnan(options->time) ? initial->time : options->time;
     if (!options->width) {
         options->width = initial->width;
         options->height = initial->height;
@@ -181,8 +181,8 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     if (lesson_file_is(path) && !(lesson = open_lesson(path, &options, error))) {
         return NULL;
     }
-    Scene *scene =
-        command_run_scene(&options, &(SceneRun){.time = options.time, .stop = stop}, error);
+    Scene *scene = command_run_scene(
+        &options, &(SceneRun){.time = options_time(&options), .stop = stop}, error);
     if (scene) {
         *render = command_render_settings(&options, scene);
     }
@@ -200,7 +200,7 @@ static void show_scene(const Options *options, const Options *command_line, cons
                              .path = options->arguments[0],
                              .snapshot_dir = ".",
                              .launch_time = clock_now_seconds(),
-                             .initial_time = options->time,
+                             .initial_time = options_time(options),
                              .load = load_scene,
                              .preview = load_preview,
                              .loader_context = &source,
@@ -212,7 +212,7 @@ static void show_scene(const Options *options, const Options *command_line, cons
                              .answer_path = options->answers,
                              .opens_list = options->opens_list,
                              .prints_timing = options->timing};
-    const ViewRequest first = {.time = options->time};
+    const ViewRequest first = {.time = options_time(options)};
     RenderSettings own;
     Scene *scene = load_scene(&source, &first, NULL, &settings.render, &own, &none, error);
     if (scene && (!lesson || check_lesson_objects(lesson, options->lesson, scene, error))) {
@@ -255,16 +255,16 @@ static bool find_first_scene(char path[PATH_MAX]) {
             access(path, R_OK) == 0);
 }
 
-bool cli_browse(Error *error) {
+bool cli_browse(const Options *options, Error *error) {
     char path[PATH_MAX];
-    Options options = options_default();
+    Options own = *options;
     if (!find_first_scene(path) || !view_is_possible()) {
         return false;
     }
-    options.arguments[0] = path;
-    options.argument_count = 1;
-    options.opens_list = true;
-    cli_view(&options, error);
+    own.arguments[0] = path;
+    own.argument_count = 1;
+    own.opens_list = true;
+    cli_view(&own, error);
     return true;
 }
 
@@ -278,7 +278,7 @@ void cli_view(const Options *options, Error *error) {
         play_lesson(&own, error);
     } else if (own.argument_count == 0) {
         // The menu of a desktop opens the program without a file.
-        if (own.lesson_snapshots || !cli_browse(error)) {
+        if (own.lesson_snapshots || !cli_browse(options, error)) {
             error_set(error, STATUS_USAGE, "view needs a SCENE, or --lesson FILE");
         }
     } else if (own.lesson_snapshots) {

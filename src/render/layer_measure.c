@@ -127,8 +127,10 @@ void measure_error(const RenderPass *pass, const PixelGrid *strip, RayCounts *co
         int column = (int)(i % (size_t)strip->columns), row = (int)(i / (size_t)strip->columns);
         double a[3], b[3];
         read_color(colors, rays, i, a);
-        read_color(reference_colors, rays, i, b);
         float *values = layer_cell_values(pass, strip, column, row);
+        if (has_reference) {
+            read_color(reference_colors, rays, i, b);
+        }
         values[0] = has_reference ? code_difference(a, b) : NAN;
         values[1] = has_reference ? 0 : perceived_brightness(pass, a);
     }

@@ -130,6 +130,9 @@ static bool project_clipped(const RayDrawing *drawing, const RayTreeNode *ray, P
     const double size[] = {drawing->view.width, drawing->view.height};
     for (int axis = 0; axis < 2; axis++) {
         if (delta[axis] == 0) {
+            if (from[axis] < 0 || from[axis] > size[axis]) {
+                return false;
+            }
             continue;
         }
         // The fractions of the line at which it crosses the two edges.

@@ -76,6 +76,15 @@ add(RayFormulas *formulas, const char *label, const char *format, ...) {
     snprintf(formula->label, sizeof formula->label, "%s", label);
 }
 
+/** Makes room for the last formulas: the ones before them are left out. @param count Number of the
+ *  last ones. */
+static void make_room(RayFormulas *formulas, size_t count) {
+    while (formulas->count > RAY_FORMULAS_MAXIMUM - count) {
+        formulas->count--;
+        formulas->omitted++;
+    }
+}
+
 Vec3d ray_front_normal(const RayTreeNode *ray) {
     return vec3d_scale(ray->normal, ray->surface.is_inside ? -1 : 1);
 }
@@ -387,11 +396,11 @@ void ray_sum_write(const RayFormulaInput *input, size_t index, RayFormulas *sum)
             add_child_term(child, i, sum);
         }
     }
-    if (index == 0 && ray_tree_has_merged_light(tree)) {
-        sum->count -= sum->count == RAY_FORMULAS_MAXIMUM - 1; // The result has the last place.
+    const bool has_merged = index == 0 && ray_tree_has_merged_light(tree);
+    make_room(sum, has_merged ? 2 : 1); // For the result, which is the last one.
+    if (has_merged) {
         add(sum, gettext("+ merged rays"), "%s", color_text(tree->merged_light).text);
     }
     snprintf(label, sizeof label, gettext("= ray %zu"), index);
-    sum->count -= sum->count == RAY_FORMULAS_MAXIMUM;
     add(sum, index == 0 ? gettext("= the pixel") : label, "%s", color_text(ray->color).text);
 }

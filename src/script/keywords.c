@@ -186,9 +186,13 @@ static void push_override(lua_State *L, const Parameter *row, const double *numb
     }
 }
 
-/** Replaces the argument of a call by a copy of the table, which other calls may share. */
+/** Replaces the argument of a call by a copy of the table, which other calls may share; fields that
+ *  it inherits stay. */
 static void copy_argument(lua_State *L) {
     lua_newtable(L);
+    if (lua_getmetatable(L, 1)) {
+        lua_setmetatable(L, -2);
+    }
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         lua_pushvalue(L, -2);
@@ -218,8 +222,9 @@ static void apply_overrides(lua_State *L, const KeywordFunction *function) {
             copy_argument(L);
             is_copied = true;
         }
+        lua_pushstring(L, row->name);
         push_override(L, row, override->numbers);
-        lua_setfield(L, 1, row->name);
+        lua_rawset(L, 1);
     }
 }
 

@@ -121,7 +121,7 @@ static bool add_polygon(const NffPolygons *polygons, const NffPolygon *polygon,
     size_t missing, count = triangulate_polygon(memory->positions, polygon->count,
                                                 memory->triangles, memory->work, &missing);
     builder->repairs.untriangulated_polygons += missing;
-    builder->repairs.degenerate_triangles += count + missing == 0 ? polygon->count - 2 : 0;
+    builder->repairs.degenerate_triangles += polygon->count - 2 - count - missing;
     for (size_t i = 0; i < count; i++) {
         MeshCorner corners[3];
         for (int k = 0; k < 3; k++) {

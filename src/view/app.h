@@ -78,6 +78,9 @@ typedef struct SceneSource {
     char next_path[PATH_MAX];    /**< File of the scene to load next; empty: none. */
     double next_load_time;       /**< Earliest time of the next request, seconds. */
     FileStamp stamp;             /**< When the scene's file was written, as far as is known. */
+    FileStamp requested_stamp;   /**< The same when its text was last requested; zero: that text was
+                                      faulty. */
+    FileStamp shown_stamp;       /**< The same of the text of the scene on screen. */
     uint64_t requested_revision; /**< #EditHistory.revision of the last request. */
     uint64_t shown_revision;     /**< The same of the scene on screen, or of a faulty one. */
 } SceneSource;
@@ -91,9 +94,11 @@ typedef enum {
 
 /** What keyboard and mouse are doing. */
 typedef struct InputState {
-    HeldKeys held_keys;         /**< The keys that are held. */
-    CameraMotion camera_motion; /**< How keys move the camera. */
-    double next_move_time;      /**< When held keys move things again, seconds. */
+    HeldKeys held_keys;                      /**< The keys that are held. */
+    const Command *moves[SDL_NUM_SCANCODES]; /**< The move that a key began, by its place, until it
+                                                  goes up; NULL: none. */
+    CameraMotion camera_motion;              /**< How keys move the camera. */
+    double next_move_time;                   /**< When held keys move things again, seconds. */
     bool is_click_candidate; /**< Whether the mouse button is down and the mouse has not moved. */
     int click_x;             /**< Where it went down, screen units. */
     int click_y;             /**< The same. */
@@ -103,6 +108,7 @@ typedef struct InputState {
     bool is_object_dragged;  /**< Whether the mouse drags the selected shape. */
     Vec3d dragged_point;     /**< Where the mouse holds it, scene units. */
     CameraDrag camera_drag;  /**< How the mouse moves the camera. */
+    Uint8 camera_button;     /**< The button that holds #camera_drag; 0: none. */
     Vec3d camera_point;      /**< The point of #camera_drag, scene units. */
     bool is_pinching;        /**< Whether two fingers touch the picture. */
     float pinch_x;           /**< Their middle, fraction of the touch device's width. */

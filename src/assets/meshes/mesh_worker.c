@@ -9,11 +9,10 @@
 #include "assets/meshes/obj_reader.h"
 #include "assets/plugin.h"
 #include "base/language.h"
+#include "base/regular_file.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /** The mesh module. */
 static const Plugin mesh_plugin = {.file = "dioptre-meshes.so",
@@ -27,24 +26,12 @@ static const Plugin mesh_plugin = {.file = "dioptre-meshes.so",
 
 /** Reads all bytes of a file. @return The bytes, to be freed with `free`; NULL on errors. */
 static char *read_bytes(int file, size_t size, Error *error) {
-    size_t done = 0;
     char *bytes = malloc(size + 1);
     if (!bytes) {
         error_set(error, STATUS_SCENE, "it needs more memory than a model may take");
-    }
-    while (bytes && done < size) {
-        ssize_t count = pread(file, bytes + done, size - done, (off_t)done);
-        if (count > 0) {
-            done += (size_t)count;
-        } else if (count == 0 || errno != EINTR) {
-            if (count) {
-                error_set_errno(error, errno);
-            } else {
-                error_set(error, STATUS_SCENE, "it has become shorter");
-            }
-            free(bytes);
-            bytes = NULL;
-        }
+    } else if (!regular_file_read(file, bytes, size, error)) {
+        free(bytes);
+        bytes = NULL;
     }
     return bytes;
 }

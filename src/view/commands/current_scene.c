@@ -25,14 +25,20 @@ static FileStamp file_stamp(const App *app) {
     return (FileStamp){info.st_mtim, info.st_size, info.st_ino};
 }
 
-bool current_scene_file_changed(const App *app) {
-    FileStamp now = file_stamp(app), known = app->source.stamp;
+/** @return Whether the scene's file has been written since. */
+static bool is_written_since(const App *app, FileStamp known) {
+    FileStamp now = file_stamp(app);
     return now.time.tv_sec != known.time.tv_sec || now.time.tv_nsec != known.time.tv_nsec ||
            now.size != known.size || now.inode != known.inode;
 }
 
+bool current_scene_is_outdated(const App *app) {
+    return is_written_since(app, app->source.shown_stamp);
+}
+
 void current_scene_file_written(App *app) {
-    app->source.stamp = file_stamp(app);
+    // Only values in it have changed: the scene on screen still stands at the same lines.
+    app->source.stamp = app->source.shown_stamp = file_stamp(app);
     current_scene_reload(app);
 }
 
@@ -47,7 +53,7 @@ static void set_path(App *app, const char *path) {
         }
     }
     SDL_strlcpy(app->source.path, path, sizeof app->source.path);
-    app->source.stamp = file_stamp(app);
+    app->source.stamp = app->source.requested_stamp = app->source.shown_stamp = file_stamp(app);
     if (app->settings->load && strcmp(path, "-") != 0) {
         file_watcher_watch(&app->source.watcher, path);
     }
@@ -63,7 +69,7 @@ void current_scene_reload(App *app) {
 }
 
 void current_scene_on_file_event(App *app) {
-    if (current_scene_file_changed(app)) {
+    if (is_written_since(app, app->source.stamp)) {
         // What the author writes counts, not what was tried in the window before.
         app->source.stamp = file_stamp(app);
         edit_history_clear(&app->edits);
@@ -169,6 +175,7 @@ static bool replace_scene(App *app, SceneLoad *load, Error *error) {
         SDL_strlcpy(app->source.lesson_path, load->path, sizeof app->source.lesson_path);
     }
     app->source.has_load_error = false;
+    app->source.shown_stamp = app->source.requested_stamp;
     app_on_view_changed(app);
     if (load->path[0] != '\0' || load->force_reload) {
         app_show_notes(app);
@@ -189,6 +196,9 @@ static bool accept_loaded_scene(App *app, Error *error) {
         return true;
     }
     if (!is_complete) {
+        if (load.force_reload) {
+            app->source.requested_stamp = (FileStamp){0};
+        }
         *error = load.error;
         scene_load_deinit(&load);
         window_request_new_renderers(&app->window);
@@ -226,6 +236,9 @@ static bool request_scene(App *app, double now, Error *error) {
             viewports[i].overrides = viewport->overrides;
         }
         viewport->needs_new_renderer = false;
+    }
+    if (request.force_reload) {
+        app->source.requested_stamp = file_stamp(app); // Before it is read: it may be written now.
     }
     bool is_requested = scene_loader_request(&app->source.loader, &request, viewports, error);
     app->source.next_load_time = now + REQUEST_INTERVAL;

@@ -17,8 +17,8 @@ void current_scene_reload(App *app);
  *  its objects are taken back. */
 void current_scene_on_file_event(App *app);
 
-/** @return Whether the scene's file was written since the scene was loaded. */
-bool current_scene_file_changed(const App *app);
+/** @return Whether the scene's file has another text than the scene on screen was read from. */
+bool current_scene_is_outdated(const App *app);
 
 /** Notes that this program has written the scene's file, and reloads it. */
 void current_scene_file_written(App *app);

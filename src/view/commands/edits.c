@@ -219,7 +219,9 @@ static void apply_edits(App *app, const SceneOverride *edits, size_t count, bool
         return;
     }
     bool is_good = check_edits(app, &object, edits, count, &error);
-    view_history_forget_undone(&app->moves);
+    if (is_good) {
+        view_history_forget_undone(&app->moves);
+    }
     for (size_t i = 0; i < count && is_good; i++) {
         is_good = keep_original(app, &object, &edits[i], &error) &&
                   edit_history_add(&app->edits, &edits[i], continues || i > 0, &error);
@@ -297,13 +299,9 @@ void edits_move(App *app, int keyword, int number, Vec3d offset, bool continues)
 
 /** Records a change. */
 static void record_set(App *app, const SceneOverride *edit, bool continues) {
-    char *value = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&value, &size);
     const Parameter *row = scene_object_row(edit->keyword, edit->row);
-    if (stream) {
-        scene_text_print_value(row, edit->numbers, stream);
-        fclose(stream);
+    char *value = scene_text_of_value(row, edit->numbers);
+    if (value) {
         recorder_on_step(app, "set(\"%s\", %d, \"%s\", %s%s)",
                          scene_object_keyword(edit->keyword)->name, edit->number, row->name, value,
                          continues ? ", true" : "");

@@ -85,16 +85,17 @@ static char *read_file(const char *path, size_t *size, Error *error) {
     if (file < 0) {
         return NULL;
     }
-    char *text = info.st_size <= FILE_MAXIMUM ? malloc((size_t)info.st_size + 1) : NULL;
-    *size = 0;
-    for (ssize_t got = 1; text && got > 0 && *size < (size_t)info.st_size;) {
-        got = read(file, text + *size, (size_t)info.st_size - *size);
-        *size += got > 0 ? (size_t)got : 0;
+    *size = (size_t)info.st_size;
+    char *text = NULL;
+    if (info.st_size > FILE_MAXIMUM) {
+        error_set(error, STATUS_FAILED, "longer than %zu MiB", (size_t)FILE_MAXIMUM >> 20);
+    } else if (!(text = malloc(*size + 1))) {
+        error_set(error, STATUS_FAILED, "no memory for a scene file");
+    } else if (!regular_file_read(file, text, *size, error)) {
+        free(text);
+        text = NULL;
     }
     close(file);
-    if (!text) {
-        error_set(error, STATUS_FAILED, "no memory for a scene file");
-    }
     return text;
 }
 
@@ -109,19 +110,18 @@ static bool write_values(const App *app, const SceneObject *object, char **text,
         if (!newest) {
             continue;
         }
-        char *value = NULL, *replaced = NULL;
-        size_t value_size = 0, new_size = 0;
-        FILE *stream = open_memstream(&value, &value_size);
-        if (stream) {
-            scene_text_print_value(row, newest->numbers, stream);
-            fclose(stream);
-            const SourceField place = {scene_object_keyword(object->keyword)->name,
-                                       object->origin->line, row->name, value};
-            replaced = check_origin(app->scene, object, error)
-                           ? source_edit_set(*text, *size, &place, &new_size, error)
-                           : NULL;
-            free(value);
+        size_t new_size = 0;
+        if (!check_origin(app->scene, object, error)) {
+            return false;
         }
+        char *value = scene_text_of_value(row, newest->numbers);
+        if (!value) {
+            return error_set(error, STATUS_FAILED, "no memory for a scene file");
+        }
+        const SourceField place = {scene_object_keyword(object->keyword)->name,
+                                   object->origin->line, row->name, value};
+        char *replaced = source_edit_set(*text, *size, &place, &new_size, error);
+        free(value);
         if (!replaced) {
             return false;
         }
@@ -133,21 +133,25 @@ static bool write_values(const App *app, const SceneObject *object, char **text,
     return true;
 }
 
-/** Checks that the scene file is the user's own, and as it was loaded. @return Whether it is. */
+/** Checks that there is a scene file, and that the scene on screen is the one in it: objects then
+ *  stand at the lines that they were read from. @return Whether it is. */
+static bool check_is_shown(const App *app, Error *error) {
+    if (strcmp(app->source.path, "-") == 0) {
+        return error_set(error, STATUS_FAILED, "a scene from standard input has no file");
+    }
+    return !current_scene_is_outdated(app) ||
+           error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");
+}
+
+/** Checks that the scene file is the user's own. @return Whether it is. */
 static bool check_file(const App *app, Error *error) {
     char folder[PATH_MAX], own[PATH_MAX];
     const char *path = app->source.path;
-    if (strcmp(path, "-") == 0) {
-        return error_set(error, STATUS_FAILED, "a scene from standard input has no file");
-    }
     bool is_installed = data_dir_installed_scenes(folder) && realpath(path, own) &&
                         strncmp(own, folder, strlen(folder)) == 0 && own[strlen(folder)] == '/';
     if (is_installed) {
         return error_set(error, STATUS_FAILED,
                          "this scene belongs to the program: save a copy (Ctrl+Shift+S)");
-    }
-    if (current_scene_file_changed(app)) {
-        return error_set(error, STATUS_FAILED, "the file has changed: it is loaded again first");
     }
     return atomic_file_check(path, error);
 }
@@ -170,7 +174,8 @@ static bool replace_file(const char *path, const char *text, size_t size, Error 
 static bool write_selected(App *app, const SceneObject *objects, size_t object_count, size_t *count,
                            Error *error) {
     size_t size = 0;
-    char *text = check_file(app, error) ? read_file(app->source.path, &size, error) : NULL;
+    bool is_writable = check_is_shown(app, error) && check_file(app, error);
+    char *text = is_writable ? read_file(app->source.path, &size, error) : NULL;
     bool is_good = text != NULL;
     for (size_t i = 0; i < object_count && is_good; i++) {
         is_good = write_values(app, &objects[i], &text, &size, count, error);
@@ -252,9 +257,8 @@ void edits_save_copy(App *app) {
     char path[NUMBERED_FILE_PATH_SIZE], name[SCENE_NAME_SIZE + 8];
     snprintf(name, sizeof name, "%s-copy", app->source.name);
     const NumberedFile file = {app->settings->snapshot_dir, name, "lua", write_copy, &copy};
-    bool has_file = strcmp(app->source.path, "-") != 0 ||
-                    error_set(&error, STATUS_FAILED, "a scene from standard input has no file");
-    copy.text = has_file ? read_file(app->source.path, &copy.size, &error) : NULL;
+    copy.text =
+        check_is_shown(app, &error) ? read_file(app->source.path, &copy.size, &error) : NULL;
     bool is_saved = copy.text && write_all_values(app, &copy, &count, &error) &&
                     numbered_file_write(&file, path, &error);
     free(copy.text);

@@ -142,10 +142,10 @@ void recorder_update(App *app, double now) {
 double recorder_timeout(const App *app, double now) {
     const Recorder *recorder = &app->recorder;
     bool is_waiting = app_is_recording(app) && window_is_ready(&app->window);
-    int64_t next = is_waiting ? step_clock_next_tick(&recorder->step_clock) : INT64_MAX;
+    int64_t next = is_waiting ? step_clock_next_due(&recorder->step_clock) : INT64_MAX;
     return next == INT64_MAX
                ? WINDOW_NO_TIMEOUT
-               : fmax(0, recorder->start_time + (double)(next + 1) / MILLISECONDS_PER_SECOND - now);
+               : fmax(0, recorder->start_time + (double)next / MILLISECONDS_PER_SECOND - now);
 }
 
 /* --- events ----------------------------------------------------------------------------------- */
@@ -207,7 +207,7 @@ void recorder_on_step(App *app, const char *format, ...) {
     }
 }
 
-/* --- beginning and end ------------------------------------------------------------------------ */
+/* --- beginning -------------------------------------------------------------------------------- */
 
 bool recorder_begin(App *app, Error *error) {
     Recorder *recorder = &app->recorder;
@@ -226,44 +226,6 @@ bool recorder_begin(App *app, Error *error) {
     write_head(app, recorder->stream);
     app->title.next_update_time = 0;
     return true;
-}
-
-/** Writes the text of a lesson. See #NumberedFile.write. */
-static bool write_lesson_text(const void *context, const char *path, bool *exists, Error *error) {
-    const Recorder *recorder = context;
-    return text_file_write_new(path, recorder->text, recorder->size, exists, error);
-}
-
-/** Writes the lesson's file. @return Whether it is written. */
-static bool write_lesson(App *app, Error *error) {
-    char name[SCENE_NAME_SIZE + 8], path[NUMBERED_FILE_PATH_SIZE];
-    snprintf(name, sizeof name, "%s-lesson", app->source.name);
-    const NumberedFile file = {app->settings->snapshot_dir, name, "lua", write_lesson_text,
-                               &app->recorder};
-    if (!numbered_file_write(&file, path, error)) {
-        return false;
-    }
-    sanitize_print_line(path, stdout);
-    putchar('\n');
-    fflush(stdout);
-    app_set_status(app, "the lesson is in %s", path);
-    return true;
-}
-
-bool recorder_end(App *app, Error *error) {
-    Recorder *recorder = &app->recorder;
-    if (!app_is_recording(app)) {
-        return true;
-    }
-    recorder_on_release_all(app, clock_now_seconds());
-    step_clock_advance(&recorder->step_clock, recorder->step_clock.now + STEP_CLOCK_TICK);
-    timeline_pause(&app->timeline, step_clock_seconds(&recorder->step_clock));
-    bool is_kept = fclose(recorder->stream) == 0;
-    bool is_written = is_kept ? write_lesson(app, error)
-                              : error_set(error, STATUS_FAILED, "no memory for a lesson");
-    free(recorder->text);
-    *recorder = (Recorder){0};
-    return is_written;
 }
 
 /* --- captions --------------------------------------------------------------------------------- */
@@ -308,6 +270,12 @@ static void end_caption(App *app, bool is_accepted) {
     window_present(&app->window);
 }
 
+void recorder_accept_caption(App *app) {
+    if (app->recorder.is_entering_caption) {
+        end_caption(app, true);
+    }
+}
+
 /** Erases the last character of a text in UTF-8. */
 static void erase_character(char *text) {
     size_t length = strlen(text);
@@ -341,4 +309,45 @@ bool recorder_handle_caption_event(App *app, const SDL_Event *event) {
     }
     return event->type == SDL_TEXTINPUT || event->type == SDL_KEYDOWN || event->type == SDL_KEYUP ||
            event->type == SDL_MOUSEMOTION || event->type == SDL_MOUSEWHEEL;
+}
+
+/* --- end -------------------------------------------------------------------------------------- */
+
+/** Writes the text of a lesson. See #NumberedFile.write. */
+static bool write_lesson_text(const void *context, const char *path, bool *exists, Error *error) {
+    const Recorder *recorder = context;
+    return text_file_write_new(path, recorder->text, recorder->size, exists, error);
+}
+
+/** Writes the lesson's file. @return Whether it is written. */
+static bool write_lesson(App *app, Error *error) {
+    char name[SCENE_NAME_SIZE + 8], path[NUMBERED_FILE_PATH_SIZE];
+    snprintf(name, sizeof name, "%s-lesson", app->source.name);
+    const NumberedFile file = {app->settings->snapshot_dir, name, "lua", write_lesson_text,
+                               &app->recorder};
+    if (!numbered_file_write(&file, path, error)) {
+        return false;
+    }
+    sanitize_print_line(path, stdout);
+    putchar('\n');
+    fflush(stdout);
+    app_set_status(app, "the lesson is in %s", path);
+    return true;
+}
+
+bool recorder_end(App *app, Error *error) {
+    Recorder *recorder = &app->recorder;
+    if (!app_is_recording(app)) {
+        return true;
+    }
+    recorder_accept_caption(app);
+    recorder_on_release_all(app, clock_now_seconds());
+    step_clock_advance(&recorder->step_clock, recorder->step_clock.now + STEP_CLOCK_TICK);
+    timeline_pause(&app->timeline, step_clock_seconds(&recorder->step_clock));
+    bool is_kept = fclose(recorder->stream) == 0;
+    bool is_written = is_kept ? write_lesson(app, error)
+                              : error_set(error, STATUS_FAILED, "no memory for a lesson");
+    free(recorder->text);
+    *recorder = (Recorder){0};
+    return is_written;
 }

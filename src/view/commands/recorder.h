@@ -45,6 +45,9 @@ void recorder_on_step(App *app, const char *format, ...) __attribute__((format(p
 /** Starts the input of a caption; the recorder's clock is paused meanwhile. */
 void recorder_begin_caption(App *app);
 
+/** Accepts the caption that is typed; does nothing without one. */
+void recorder_accept_caption(App *app);
+
 /** Handles an event while a caption is typed. @return Whether it was for the caption. */
 bool recorder_handle_caption_event(App *app, const SDL_Event *event);
 

@@ -14,6 +14,10 @@ double input_event_time(Uint32 timestamp);
 /** Handles a key that goes down or up. */
 void keyboard_on_key(App *app, const SDL_KeyboardEvent *key);
 
+/** Ends the move that a key began, which goes up: whatever else is held by now, and whoever else
+ *  uses the key. */
+void keyboard_on_release(App *app, const SDL_KeyboardEvent *key);
+
 /** All keys go up: the window lost the keyboard, or its layout changed. @param time Seconds. */
 void keyboard_release_all(App *app, double time);
 

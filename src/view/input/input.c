@@ -179,6 +179,11 @@ static bool handle_help_event(App *app, const SDL_Event *event) {
 }
 
 void input_handle_event(App *app, const SDL_Event *event) {
+    if (event->type == SDL_KEYUP) {
+        keyboard_on_release(app, &event->key);
+    } else if (event->type == SDL_MOUSEBUTTONDOWN) {
+        recorder_accept_caption(app); // What is clicked comes after it in the lesson.
+    }
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
         handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;

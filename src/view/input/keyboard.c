@@ -7,6 +7,8 @@
 #include "view/input/devices.h"
 #include "view/lesson/player.h"
 
+#include <string.h>
+
 /** Factor of a move's speed while Shift is held. */
 static const double FAST_FACTOR = 4;
 /** Factor of a move's speed while Ctrl is held: pixel by pixel. */
@@ -25,9 +27,20 @@ static double speed_factor(int modifiers) {
     return (modifiers & KMOD_SHIFT ? FAST_FACTOR : 1) * (modifiers & KMOD_CTRL ? FINE_FACTOR : 1);
 }
 
+void keyboard_on_release(App *app, const SDL_KeyboardEvent *key) {
+    const Command **move = &app->input.moves[key->keysym.scancode];
+    if (*move) {
+        double time = input_event_time(key->timestamp);
+        recorder_on_release(app, *move, time);
+        held_keys_release(&app->input.held_keys, (*move)->move, time);
+        *move = NULL;
+    }
+}
+
 void keyboard_release_all(App *app, double time) {
     recorder_on_release_all(app, time);
     held_keys_release_all(&app->input.held_keys, time);
+    memset(app->input.moves, 0, sizeof app->input.moves);
 }
 
 /** Steps to a pixel nearby: an arrow with Ctrl, while rays or the magnifier are shown. @return
@@ -115,11 +128,10 @@ void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
     app->input.modifiers = key->keysym.mod;
     recorder_on_speed(app, factor, time);
     held_keys_set_speed(&app->input.held_keys, factor, time);
-    if (!is_down && command && command_is_move(command)) {
-        recorder_on_release(app, command, time);
-        held_keys_release(&app->input.held_keys, command->move, time);
-    }
-    bool is_ignored_repeat = key->repeat && !(command && command->flags & COMMAND_REPEATS);
+    // A key that moves something repeats nothing, also if another key has changed what it means.
+    const Command **move = &app->input.moves[key->keysym.scancode];
+    bool is_ignored_repeat =
+        key->repeat && (*move || !(command && command->flags & COMMAND_REPEATS));
     if (!is_down || is_ignored_repeat || (key->keysym.mod & WINDOW_MANAGER_MODIFIERS)) {
         return;
     }
@@ -134,5 +146,6 @@ void keyboard_on_key(App *app, const SDL_KeyboardEvent *key) {
         command_continue(app, command, time);
     } else {
         command_issue(app, command, time);
+        *move = command_is_move(command) ? command : NULL;
     }
 }

@@ -181,13 +181,17 @@ static CameraDrag camera_drag_of(const App *app, Uint8 button) {
 static bool handle_camera_button(App *app, const SDL_MouseButtonEvent *button) {
     InputState *input = &app->input;
     if (button->state == SDL_RELEASED) {
-        bool was_dragged = input->camera_drag != CAMERA_IS_FREE;
-        input->camera_drag = CAMERA_IS_FREE;
-        return was_dragged || button->button != SDL_BUTTON_LEFT;
+        bool is_holding = button->button == input->camera_button;
+        if (is_holding) {
+            input->camera_drag = CAMERA_IS_FREE;
+            input->camera_button = 0;
+        }
+        return is_holding || button->button != SDL_BUTTON_LEFT;
     }
     CameraDrag drag = camera_drag_of(app, button->button);
-    if (drag != CAMERA_IS_FREE && player_allows_input(app)) {
+    if (drag != CAMERA_IS_FREE && input->camera_button == 0 && player_allows_input(app)) {
         input->camera_drag = drag;
+        input->camera_button = button->button;
         input->camera_point = find_camera_point(app, button->x, button->y);
     }
     return drag != CAMERA_IS_FREE || button->button != SDL_BUTTON_LEFT;

@@ -203,7 +203,7 @@ double player_timeout(const App *app, double now) {
     int64_t step = player->next_step < player->lesson->count
                        ? player->lesson->steps[player->next_step].time
                        : player->step_clock.now;
-    int64_t next = SDL_min(step, step_clock_next_tick(&player->step_clock) + 1);
+    int64_t next = SDL_min(step, step_clock_next_due(&player->step_clock));
     return player_is_unattended(app)
                ? 0
                : fmax(0, player->start_time + (double)next / MILLISECONDS_PER_SECOND - now);

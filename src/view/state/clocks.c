@@ -63,6 +63,6 @@ void step_clock_advance(StepClock *step_clock, int64_t until) {
     step_clock->now = until;
 }
 
-int64_t step_clock_next_tick(const StepClock *step_clock) {
-    return held_keys_is_active(&step_clock->held_keys) ? step_clock->next_tick : INT64_MAX;
+int64_t step_clock_next_due(const StepClock *step_clock) {
+    return held_keys_is_active(&step_clock->held_keys) ? step_clock->next_tick + 1 : INT64_MAX;
 }

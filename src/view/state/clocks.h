@@ -60,8 +60,8 @@ double step_clock_seconds(const StepClock *step_clock);
 /** Does all ticks before a time. @param until The time, milliseconds; not before #StepClock.now. */
 void step_clock_advance(StepClock *step_clock, int64_t until);
 
-/** @return The time of the next tick that moves anything, milliseconds; INT64_MAX while no key is
- *  held. */
-int64_t step_clock_next_tick(const StepClock *step_clock);
+/** @return The time until which the clock advances by the next tick that moves anything,
+ *  milliseconds; INT64_MAX while no key is held. */
+int64_t step_clock_next_due(const StepClock *step_clock);
 
 #endif

@@ -24,7 +24,8 @@ static void print_list(const double *values, int count, FILE *file) {
     fputc('}', file);
 }
 
-void scene_text_print_value(const Parameter *row, const double *numbers, FILE *file) {
+/** Prints the value of a field. See #scene_text_of_value. */
+static void print_value(const Parameter *row, const double *numbers, FILE *file) {
     switch (row->type) {
     case PARAMETER_BOOLEAN:
         fputs(numbers[0] != 0 ? "true" : "false", file);
@@ -62,7 +63,7 @@ static void print_keyword(const Keyword *keyword, const void *values, const char
             double numbers[PARAMETER_NUMBERS_MAXIMUM];
             fprintf(file, "%s%s = ", separator, row->name);
             parameter_get_numbers(row, values, numbers);
-            scene_text_print_value(row, numbers, file);
+            print_value(row, numbers, file);
             separator = ", ";
         }
     }
@@ -81,15 +82,48 @@ void scene_text_print(const Scene *scene, FILE *file) {
     }
 }
 
-char *scene_text_create(const Scene *scene) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-    if (stream) {
-        scene_text_print(scene, stream);
-        fclose(stream);
+/* --- texts in memory -------------------------------------------------------------------------- */
+
+/** A text that is being written. */
+typedef struct MemoryText {
+    char *bytes; /**< It, once the file is closed. */
+    size_t size; /**< Its length. */
+    FILE *file;  /**< Where it is written to; NULL without memory. */
+} MemoryText;
+
+/** Begins a text. */
+static void memory_text_begin(MemoryText *text) {
+    text->bytes = NULL;
+    text->file = open_memstream(&text->bytes, &text->size);
+}
+
+/** Ends a text. @param is_complete Whether all of it is written. @return It, owned by the caller;
+ *  NULL if it is not complete, or without memory. */
+static char *memory_text_end(MemoryText *text, bool is_complete) {
+    bool is_whole = text->file && fclose(text->file) == 0 && is_complete;
+    if (!is_whole) {
+        free(text->bytes);
+        text->bytes = NULL;
     }
-    return text;
+    return text->bytes;
+}
+
+char *scene_text_create(const Scene *scene) {
+    MemoryText text;
+    memory_text_begin(&text);
+    if (text.file) {
+        scene_text_print(scene, text.file);
+    }
+    return memory_text_end(&text, true);
+}
+
+char *scene_text_of_value(const Parameter *row, const double *numbers) {
+    MemoryText text;
+    memory_text_begin(&text);
+    if (text.file) {
+        print_value(row, numbers, text.file);
+    }
+    return memory_text_end(&text, true);
 }
 
 /* --- objects ---------------------------------------------------------------------------------- */
@@ -148,7 +182,7 @@ static void print_fields(ObjectText *text, const Keyword *keyword, const void *v
         parameter_get_numbers(row, keyword->defaults, defaults);
         if (memcmp(numbers, defaults, sizeof numbers) != 0) {
             print_name(text, row->name);
-            scene_text_print_value(row, numbers, text->file);
+            print_value(row, numbers, text->file);
         }
     }
 }
@@ -175,17 +209,11 @@ static void print_object(ObjectText *text, const SceneObject *object) {
 }
 
 char *scene_text_of_object(const Scene *scene, const SceneObject *object) {
-    char *buffer = NULL;
-    size_t size = 0;
-    ObjectText text = {.scene = scene, .is_complete = true};
-    text.file = open_memstream(&buffer, &size);
-    if (text.file) {
+    MemoryText memory;
+    memory_text_begin(&memory);
+    ObjectText text = {.scene = scene, .file = memory.file, .is_complete = true};
+    if (memory.file) {
         print_object(&text, object);
-        fclose(text.file);
     }
-    if (!text.is_complete) {
-        free(buffer);
-        buffer = NULL;
-    }
-    return buffer;
+    return memory_text_end(&memory, text.is_complete);
 }

@@ -13,9 +13,9 @@
  * have all digits: read again they are equal. */
 void scene_text_print(const Scene *scene, FILE *file);
 
-/** Prints the value of a field, such as `{1, 0.5, 0}` or `"none"`. @param numbers See
- *  #parameter_get_numbers. */
-void scene_text_print_value(const Parameter *row, const double *numbers, FILE *file);
+/** @return The text of the value of a field, such as `{1, 0.5, 0}` or `"none"`, owned by the
+ * caller; NULL without memory. @param numbers See #parameter_get_numbers. */
+char *scene_text_of_value(const Parameter *row, const double *numbers);
 
 /** @return The text of #scene_text_print, owned by the caller; NULL without memory. */
 char *scene_text_create(const Scene *scene);

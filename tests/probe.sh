@@ -140,6 +140,14 @@ holds "$work/out" '^  = ray 4 ' 'its sum'
 [ "$(sed -n 's/.*height="\([0-9]*\).*/\1/p' "$work/ray.svg" | head -1)" = 1110 ] && ok 'formulas below it' || fail 'no formulas below it'
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 4 --json >"$work/out"
 [ "$(grep -c '^{"id": *4,' "$work/out")" = 1 ] && [ "$(wc -l <"$work/out")" = 1 ] && ok 'one ray as JSON' || fail 'not one ray as JSON'
+# A sum that is too long says how many terms it has not: with those shown, one per lamp.
+for lamps in 46 47 48 60; do
+    { echo 'camera { position = {0, 1, 4} } plane {}'
+      for i in $(seq $lamps); do echo "light { position = {$i, 5, 3} }"; done; } >"$work/lamps.lua"
+    "$dioptre" probe "$work/lamps.lua" 80 100 -s $size --ray 0 >"$work/out"
+    terms=$(awk '/^  \+ ray/{ n++ } /^and [0-9]+ more$/{ n += $2 } END { print n }' "$work/out")
+    [ "$terms" = $lamps ] && ok "$lamps lamps have as many terms" || fail "$lamps lamps have $terms terms"
+done
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 0 >"$work/out"
 # Fresnel's formula again, from the angle that is told.
 awk '/cos a = /{ sub(/.*cos a = −d·n = /, ""); sub(/,.*/, ""); c = $0 }

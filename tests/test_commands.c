@@ -360,31 +360,32 @@ static void test_keys_go_up(void **state) {
     App *app = &opened.app;
     const HeldKeys *held_keys = &app->input.held_keys;
     const Move down = command_find(command_table, "light down")->move;
-    const Move forward = command_find(command_table, "camera up")->move;
+    const Move up = command_find(command_table, "camera up")->move;
+    const Move nearer = command_find(command_table, "light nearer")->move;
     key_event(SDL_KEYDOWN, SDLK_s, 0);
     assert_true(held_keys_is_down(held_keys, down));
     key_event(SDL_KEYUP, SDLK_s, KMOD_LCTRL); // Ctrl and S writes an object.
     assert_false(held_keys_is_down(held_keys, down));
     key_event(SDL_KEYDOWN, SDLK_UP, 0);
-    assert_true(held_keys_is_down(held_keys, forward));
+    assert_true(held_keys_is_down(held_keys, up));
     run("things");
     draw();
     key_event(SDL_KEYUP, SDLK_UP, 0);
-    assert_false(held_keys_is_down(held_keys, forward));
+    assert_false(held_keys_is_down(held_keys, up));
     run("leave");
     // A repeated key is still the move.
     app_zoom(app, 1);
     const double fov = app->scene->camera.fov;
-    key_event(SDL_KEYDOWN, SDLK_s, 0);
+    key_event(SDL_KEYDOWN, SDLK_z, 0);
     SDL_Event repeated = {
         .key = {.type = SDL_KEYDOWN,
                 .repeat = 1,
-                .keysym = {SDL_GetScancodeFromKey(SDLK_s), SDLK_s, KMOD_LCTRL, 0}}};
+                .keysym = {SDL_GetScancodeFromKey(SDLK_z), SDLK_z, KMOD_LCTRL, 0}}};
     input_handle_event(app, &repeated);
     assert_true(app->scene->camera.fov == fov);
-    assert_true(held_keys_is_down(held_keys, down));
-    key_event(SDL_KEYUP, SDLK_s, 0);
-    assert_false(held_keys_is_down(held_keys, down));
+    assert_true(held_keys_is_down(held_keys, nearer));
+    key_event(SDL_KEYUP, SDLK_z, 0);
+    assert_false(held_keys_is_down(held_keys, nearer));
 }
 
 /** Each mouse button lets go of what it holds, and of nothing else. */

@@ -45,3 +45,11 @@ bool utf8_is_printable(const char *text) {
     }
     return true;
 }
+
+void utf8_erase_last(char *text) {
+    size_t length = strlen(text);
+    while (length > 0 && (text[length - 1] & 0xC0) == 0x80) {
+        length--; // A continuation byte.
+    }
+    text[length > 0 ? length - 1 : 0] = '\0';
+}

@@ -27,6 +27,9 @@ size_t utf8_decode(const char *text, size_t length, uint32_t *code);
  */
 bool utf8_is_control(uint32_t code);
 
+/** Takes the last character off a text; does nothing if it is empty. */
+void utf8_erase_last(char *text);
+
 /** @return Whether a text is valid and holds no control, as above. @param text The text. */
 bool utf8_is_printable(const char *text);
 

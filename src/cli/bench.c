@@ -4,6 +4,7 @@
  */
 #include "base/json.h"
 #include "base/language.h"
+#include "base/median.h"
 #include "base/sanitize.h"
 #include "cli/commands.h"
 
@@ -22,12 +23,6 @@ typedef struct BenchResult {
     uint64_t rays;        /**< Rays per picture. */
     uint64_t camera_rays; /**< Camera rays per picture. */
 } BenchResult;
-
-/** @return Order of two doubles, for qsort. */
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /** Renders one picture, or traces its primary or random rays. */
 static RenderStats bench_frame(Renderer *renderer, BenchRays rays) {
@@ -48,10 +43,10 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchR
         report = bench_frame(renderer, rays);
         ms[i] = 1e3 * report.seconds;
     }
-    qsort(ms, (size_t)frames, sizeof *ms, compare_doubles);
+    double median = median_sort(ms, (size_t)frames);
     *result = (BenchResult){.frames = frames,
                             .ms_min = ms[0],
-                            .ms_median = (ms[(frames - 1) / 2] + ms[frames / 2]) / 2,
+                            .ms_median = median,
                             .camera_rays = report.rays.camera,
                             .rays = ray_counts_sum(&report.rays)};
     free(ms);

@@ -295,6 +295,21 @@ static void write_settings_text(App *app, char *text, size_t size) {
              settings->trace.epsilon, settings->trace.depth, settings->samples);
 }
 
+void app_print_path(const char *path) {
+    sanitize_print_line(path, stdout);
+    putchar('\n');
+    fflush(stdout);
+}
+
+/** Moves light and camera. See #StepClockMoveFn. */
+static void move_by_clock(void *context, Movement light, Movement camera) {
+    app_move(context, light, camera);
+}
+
+StepClock app_step_clock(App *app) {
+    return (StepClock){.move = move_by_clock, .context = app, .held_keys = {.speed = 1}};
+}
+
 /** Says where a file was saved: its name, then its folder. */
 static void show_saved_path(App *app, const char *path) {
     const char *slash = strrchr(path, '/');
@@ -320,9 +335,7 @@ bool app_save_screen(App *app, Error *error) {
     picture_deinit(&picture);
     free(view);
     if (is_saved) {
-        sanitize_print_line(path, stdout);
-        putchar('\n');
-        fflush(stdout);
+        app_print_path(path);
         show_saved_path(app, path);
     }
     return is_saved;
@@ -340,9 +353,7 @@ bool app_save_picture(App *app, const char *folder, const char *name, Error *err
             printf("  -- t = %.17g", app->scene_time);
         }
         fputs("  -- ", stdout);
-        sanitize_print_line(path, stdout);
-        putchar('\n');
-        fflush(stdout);
+        app_print_path(path);
         show_saved_path(app, path);
     }
     return is_saved;

@@ -321,6 +321,12 @@ void app_restart_view(App *app, double time);
  */
 bool app_save_picture(App *app, const char *folder, const char *name, Error *error);
 
+/** Prints the path of a file that was written, which ends a line. */
+void app_print_path(const char *path);
+
+/** @return The clock of a lesson, at its beginning: it moves light and camera. */
+StepClock app_step_clock(App *app);
+
 /** Saves what is on the screen, with its legend and rays, as a numbered PNG; the view and the
  * settings are its metadata. @return Whether it is saved. */
 bool app_save_screen(App *app, Error *error);

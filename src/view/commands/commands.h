@@ -21,6 +21,9 @@ void command_run(App *app, const Command *command, bool continues);
  *  When its key went down, seconds on #clock_now_seconds. */
 void command_issue(App *app, const Command *command, double time);
 
+/** Issues a command by its name, now. */
+void command_issue_named(App *app, const char *name);
+
 /** The same, as a part of the change before it: of a key that is held, or a slider. */
 void command_continue(App *app, const Command *command, double time);
 

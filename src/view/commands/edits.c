@@ -355,11 +355,6 @@ void edits_drag(App *app, Vec3d offset, bool continues) {
 
 /* --- requests --------------------------------------------------------------------------------- */
 
-/** Issues a command by its name. */
-static void issue(App *app, const char *name) {
-    command_issue(app, command_find(app->commands, name), clock_now_seconds());
-}
-
 /** Carries out what the inspector requests besides an edit. */
 static void handle_request(App *app, InspectorRequest request) {
     switch (request) {
@@ -368,7 +363,7 @@ static void handle_request(App *app, InspectorRequest request) {
         break;
     case INSPECTOR_UNDO:
     case INSPECTOR_REDO:
-        issue(app, request == INSPECTOR_UNDO ? "undo" : "redo");
+        command_issue_named(app, request == INSPECTOR_UNDO ? "undo" : "redo");
         break;
     case INSPECTOR_COPY:
         edits_copy(app);
@@ -380,7 +375,7 @@ static void handle_request(App *app, InspectorRequest request) {
         command_show_rays(app, app->window.ray_view.x, app->window.ray_view.y);
         break;
     case INSPECTOR_THINGS:
-        issue(app, "things");
+        command_issue_named(app, "things");
         break;
     case INSPECTOR_CHOOSE:
         choose_thing(app);

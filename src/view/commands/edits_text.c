@@ -6,7 +6,6 @@
 #include "base/data_dir.h"
 #include "base/language.h"
 #include "base/regular_file.h"
-#include "base/sanitize.h"
 #include "base/text_file.h"
 #include "view/commands/current_scene.h"
 #include "view/commands/edits.h"
@@ -266,9 +265,7 @@ void edits_save_copy(App *app) {
         app_set_status(app, "not written: %.*s", STATUS_TEXT_SIZE - 32, error.message);
         return;
     }
-    sanitize_print_line(path, stdout);
-    putchar('\n');
-    fflush(stdout);
+    app_print_path(path);
     app_set_status(app, ngettext("%zu value written into %s", "%zu values written into %s", count),
                    count, path);
 }

@@ -63,6 +63,10 @@ void command_issue(App *app, const Command *command, double time) {
     issue(app, command, time, false);
 }
 
+void command_issue_named(App *app, const char *name) {
+    command_issue(app, command_find(app->commands, name), clock_now_seconds());
+}
+
 void command_continue(App *app, const Command *command, double time) {
     issue(app, command, time, true);
 }

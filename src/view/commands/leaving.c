@@ -58,28 +58,23 @@ void leaving_withdraw(App *app, const Command *command) {
 
 /* --- the commands ----------------------------------------------------------------------------- */
 
-/** Issues a command by its name. */
-static void issue(App *app, const char *name) {
-    command_issue(app, command_find(app->commands, name), clock_now_seconds());
-}
-
 /** Closes the topmost of what the user has opened on the picture. @return Whether there was any. */
 static bool close_own(App *app) {
     Window *window = &app->window;
     if (window->ray_view.is_open) {
-        issue(app, "rays");
+        command_issue_named(app, "rays");
     } else if (window->settings_chart.is_open) {
-        issue(app, "chart");
+        command_issue_named(app, "chart");
     } else if (object_inspector_is_open(&window->object_inspector)) {
         edits_close(app);
     } else if (window->magnifier.is_on) {
-        issue(app, "magnifier");
+        command_issue_named(app, "magnifier");
     } else if (window->shows_settings && window->settings_end_time <= 0) {
-        issue(app, "settings");
+        command_issue_named(app, "settings");
     } else if (window->split.mode != SPLIT_NONE) {
-        issue(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
+        command_issue_named(app, window->split.mode == SPLIT_BAR ? "split back" : "split");
     } else if (window_active_viewport(window)->layer != LAYER_SHADED) {
-        issue(app, "layer light");
+        command_issue_named(app, "layer light");
     } else if (window->shows_settings) {
         // They came by themselves, and would go so: last, and no lesson records it.
         window_end_settings(window);

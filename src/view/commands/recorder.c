@@ -5,8 +5,8 @@
 #include "view/commands/recorder.h"
 
 #include "base/language.h"
-#include "base/sanitize.h"
 #include "base/text_file.h"
+#include "base/utf8.h"
 #include "dioptre/lesson.h"
 #include "dioptre/scene.h"
 #include "view/state/snapshot.h"
@@ -111,11 +111,6 @@ void lesson_writer_caption(char *step, size_t size, const char *caption) {
 
 /* --- the clock -------------------------------------------------------------------------------- */
 
-/** Moves light and camera. See #StepClockMoveFn. */
-static void move_by_clock(void *context, Movement light, Movement camera) {
-    app_move(context, light, camera);
-}
-
 /** Advances the clock to the time of an event, never backwards. @param time Seconds on
  *  #clock_now_seconds. */
 static void advance_clock(Recorder *recorder, double time) {
@@ -215,9 +210,7 @@ bool recorder_begin(App *app, Error *error) {
         return error_set(error, STATUS_FAILED,
                          "a scene from standard input has no file for a lesson to name");
     }
-    *recorder =
-        (Recorder){.step_clock = {.move = move_by_clock, .context = app, .held_keys = {.speed = 1}},
-                   .start_time = clock_now_seconds()};
+    *recorder = (Recorder){.step_clock = app_step_clock(app), .start_time = clock_now_seconds()};
     recorder->stream = open_memstream(&recorder->text, &recorder->size);
     if (!recorder->stream) {
         return error_set(error, STATUS_FAILED, "no memory for a lesson");
@@ -276,21 +269,12 @@ void recorder_accept_caption(App *app) {
     }
 }
 
-/** Erases the last character of a text in UTF-8. */
-static void erase_character(char *text) {
-    size_t length = strlen(text);
-    while (length > 0 && (text[length - 1] & 0xC0) == 0x80) {
-        length--;
-    }
-    text[length > 0 ? length - 1 : 0] = '\0';
-}
-
 /** Handles a key while a caption is typed. */
 static void on_caption_key(App *app, SDL_Keycode key) {
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER || key == SDLK_ESCAPE) {
         end_caption(app, key != SDLK_ESCAPE);
     } else if (key == SDLK_BACKSPACE) {
-        erase_character(app->recorder.caption);
+        utf8_erase_last(app->recorder.caption);
         show_typed_caption(app);
     }
 }
@@ -328,9 +312,7 @@ static bool write_lesson(App *app, Error *error) {
     if (!numbered_file_write(&file, path, error)) {
         return false;
     }
-    sanitize_print_line(path, stdout);
-    putchar('\n');
-    fflush(stdout);
+    app_print_path(path);
     app_set_status(app, "the lesson is in %s", path);
     return true;
 }

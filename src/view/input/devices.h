@@ -7,6 +7,9 @@
 
 #include "view/app.h"
 
+/** Modifiers with which a key is for the window manager. */
+enum { WINDOW_MANAGER_MODIFIERS = KMOD_LALT | KMOD_GUI };
+
 /** @return When an event happened, seconds on #clock_now_seconds; it may have waited in the queue.
  *  @param timestamp SDL's time of the event, milliseconds. */
 double input_event_time(Uint32 timestamp);

@@ -11,9 +11,6 @@
 #include "view/input/devices.h"
 #include "view/lesson/player.h"
 
-/** Modifiers with which a key is for the window manager. */
-static const int WINDOW_MANAGER_MODIFIERS = KMOD_LALT | KMOD_GUI;
-
 /* --- the list of scenes ----------------------------------------------------------------------- */
 
 /** Closes the list, or opens a scene, as a key asks. */
@@ -35,7 +32,7 @@ static bool handle_help_over_list(App *app, const SDL_Event *event) {
     const SDL_Keycode key = event->type == SDL_KEYDOWN ? event->key.keysym.sym : SDLK_UNKNOWN;
     const bool was_open = help->is_open;
     if (key == SDLK_F1 || (was_open && key == SDLK_ESCAPE)) {
-        command_issue(app, command_find(app->commands, "help"), clock_now_seconds());
+        command_issue_named(app, "help");
     } else if (was_open && key != SDLK_UNKNOWN) {
         help_handle_key(help, key); // No other key: it would do something below the list.
     }

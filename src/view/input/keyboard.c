@@ -15,8 +15,6 @@ static const double FAST_FACTOR = 4;
 static const double FINE_FACTOR = 0.25;
 /** Pixels that an arrow with Ctrl and Shift steps. */
 static const int LARGE_PIXEL_STEP = 10;
-/** Modifiers with which a key is for the window manager. */
-static const int WINDOW_MANAGER_MODIFIERS = KMOD_LALT | KMOD_GUI;
 
 double input_event_time(Uint32 timestamp) {
     return clock_now_seconds() - (double)(SDL_GetTicks() - timestamp) / 1000;
@@ -103,7 +101,7 @@ static bool handle_common_key(App *app, SDL_Keysym key, const Command *command) 
         name = "help";
     }
     if (name) {
-        command_issue(app, command_find(app->commands, name), input_event_time(SDL_GetTicks()));
+        command_issue_named(app, name);
     }
     return name || is_letter;
 }

@@ -36,8 +36,7 @@ static void click_at(App *app, int x, int y) {
     } else if (is_inside && !app->window.ray_view.is_open) {
         edits_click(app, right, down);
     } else if (is_inside) {
-        recorder_on_step(app, "pixel(%.17g, %.17g)", right, down);
-        app_pick_pixel(app, right, down);
+        command_show_rays(app, right, down);
     }
 }
 

@@ -17,17 +17,11 @@ bool player_allows_input(const App *app) {
     return !app_is_playing(app) || app->player.state == PLAYER_WAITS;
 }
 
-/** Moves light and camera. See #StepClockMoveFn. */
-static void move_by_clock(void *context, Movement light, Movement camera) {
-    app_move(context, light, camera);
-}
-
 void player_rewind(App *app) {
     Player *player = &app->player;
     view_state_deinit(&player->paused_view);
     player->state = PLAYER_RUNS;
-    player->step_clock =
-        (StepClock){.move = move_by_clock, .context = app, .held_keys = {.speed = 1}};
+    player->step_clock = app_step_clock(app);
     player->next_step = player->repeat_end = 0;
     player->stop = LESSON_STEPS_MAXIMUM;
     player->start_time = clock_now_seconds();

@@ -4,6 +4,8 @@
  */
 #include "view/panels/browser.h"
 
+#include "base/utf8.h"
+
 #include <string.h>
 
 /** Lines that Page Up and Page Down go. */
@@ -167,16 +169,6 @@ void browser_type(Browser *browser, const char *text) {
     }
 }
 
-/** Takes the last character away that was typed. */
-static void erase_character(Browser *browser) {
-    size_t length = strlen(browser->filter);
-    while (length > 0 && (browser->filter[length - 1] & 0xC0) == 0x80) {
-        length--; // A continuation byte of UTF-8.
-    }
-    browser->filter[length > 0 ? length - 1 : 0] = '\0';
-    apply_filter(browser);
-}
-
 void browser_erase_word(Browser *browser) {
     static const char separators[] = " -_";
     char *words = browser->filter;
@@ -270,7 +262,8 @@ BrowserResult browser_key(Browser *browser, SDL_Keycode key) {
                                                                                 : BROWSER_LESSONS);
     }
     if (key == SDLK_BACKSPACE) {
-        erase_character(browser);
+        utf8_erase_last(browser->filter);
+        apply_filter(browser);
     }
     if (key == SDLK_RETURN || key == SDLK_KP_ENTER) {
         browser->opens_first = !browser->has_selection;

@@ -4,6 +4,8 @@
  */
 #include "view/state/latency.h"
 
+#include "base/median.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,19 +50,12 @@ void latency_on_presented(Latency *latency, double time) {
     latency->in_flight_count = 0;
 }
 
-/** @return Below 0, 0 or above 0, for qsort. */
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 LatencySummary latency_summary(Latency *latency) {
     size_t n = latency->count;
     if (n == 0) {
         return (LatencySummary){0};
     }
-    qsort(latency->waits, n, sizeof latency->waits[0], compare_doubles);
-    double median = (latency->waits[(n - 1) / 2] + latency->waits[n / 2]) / 2;
+    double median = median_sort(latency->waits, n);
     return (LatencySummary){.count = n, .median = median, .worst = latency->waits[n - 1]};
 }
 

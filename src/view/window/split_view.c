@@ -115,7 +115,9 @@ void split_view_update_difference(SplitView *split, const Viewport *left, const 
     uint8_t *pixels = streaming_texture_lock(&split->difference_texture, renderer, left->width,
                                              left->height, &pitch);
     if (pixels) {
-        split_view_compose(split, left, right, pixels, pitch);
+        if (!split_view_compose(split, left, right, pixels, pitch)) {
+            memset(pixels, 0, (size_t)pitch * (size_t)left->height); // Not what lay there before.
+        }
         streaming_texture_unlock(&split->difference_texture);
     }
 }

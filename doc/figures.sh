@@ -33,14 +33,14 @@ function name(key) {
     if (key == "shapes") return words("every simple shape", "toutes les formes simples")
     if (key == "spot") return words("a mesh, twice", "un maillage, deux fois")
     if (key == "glass-box") return words("the box, with a glass ball, a bubble, a tinted pane", "la boîte, avec une boule de verre, une bulle, une vitre teintée")
-    if (key == "glass") return words("nothing but mirrors and glass, two lights", "rien que des miroirs et du verre, deux lumières")
+    if (key == "glass") return words("nothing but mirrors and glass, two lights", "rien que des miroirs et du verre, deux lampes")
     if (key == "pictures") return words("a map on a sphere, a glass ball, a panorama", "une carte sur une sphère, une boule de verre, un panorama")
     if (key == "sun") return words("the light of a sun", "la lumière d’un soleil")
-    if (key == "fading") return words("lights that weaken with the square of the distance", "des lumières qui faiblissent avec le carré de la distance")
-    if (key == "soft") return words("soft shadows: 4096 rays per pixel, 4096 lights in POV-Ray", "des ombres douces : 4096 rayons par pixel, 4096 lumières pour POV-Ray")
-    if (key == "endless-frames") return words("frames of cubes without end", "cadres de cubes sans fin")
+    if (key == "fading") return words("lights that weaken with the square of the distance", "des lampes qui faiblissent avec le carré de la distance")
+    if (key == "soft") return words("soft shadows: 4096 rays per pixel, 4096 lights in POV-Ray", "des ombres douces : 4096 rayons par pixel, 4096 lampes pour POV-Ray")
+    if (key == "endless-frames") return words("frames of cubes without end", "armatures de cubes sans fin")
     if (key == "menger-sponge") return words("Menger sponge", "éponge de Menger")
-    if (key == "turned-frame") return words("turned frame of a cube", "cadre d’un cube, tourné")
+    if (key == "turned-frame") return words("turned frame of a cube", "armature d’un cube, tournée")
     if (key == "stanford-bunny") return words("Stanford bunny", "lapin de Stanford")
     if (key == "dragon-871k") return words("Stanford dragon", "dragon de Stanford")
     return key
@@ -50,6 +50,7 @@ function heads(cells,  count, row) { print "| " cells " |"; count = split(cells,
 # measured(table): where and when a table was measured.
 function measured(table,  parts) {
     split(machine[table], parts, ", ?")
+    if (language == "fr") gsub(/;/, " ;", parts[3])
     print words("Measured on ", "Mesurés sur ") parts[1] ", " parts[2] ", " parts[3] (parts[4] == "" ? "" : "," parts[4]) ".\n"
 }
 # march_settings(): a row per length of steps and per footprint, a column per scene: pixels off, time.
@@ -88,7 +89,7 @@ function table_of(what,  i, cell, other, best) {
     measured(what == "speed" ? "speed" : what)
     if (what == "march-settings") { march_settings(); return }
     if (what == "engines") {
-        heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois `f32x1` | à un niveau près | à plus, contre `f128x1`"))
+        heads(words("engine | threads | ms per picture | Mrays/s | times `f32x1` | off by one step | by more, against `f128x1`", "moteur | fils | ms par image | Mrayons/s | fois plus rapide que `f32x1` | pixels écartés d’un niveau | de plus d’un niveau, par rapport à `f128x1`"))
         for (i = 1; i <= rows[what]; i++) {
             split(row[what, i], cell, ",")
             print "| `" cell[1] "` | " cell[2] " | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " grouped(cell[7]) " | " grouped(cell[8]) " |"
@@ -106,10 +107,10 @@ function table_of(what,  i, cell, other, best) {
             print "| " name(cell[1]) " | " grouped(cell[2]) " | " grouped(cell[3]) " | " grouped(cell[4]) " |"
         }
     } else if (what == "meshes") {
-        heads(words("mesh | engine | camera rays | random rays | shadow rays | building | bytes per triangle, Embree’s", "maillage | moteur | rayons de la caméra | au hasard | d’ombre | construction | octets par triangle, Embree"))
+        heads(words("mesh | engine | camera rays | random rays | shadow rays | building | bytes per triangle, Embree’s", "maillage | moteur | rayons de la caméra | au hasard | d’ombre | construction | octets par triangle ; Embree"))
         for (i = 1; i <= rows[what]; i++) {
             split(row[what, i], cell, ",")
-            print "| " (cell[1] == "spot" ? "Spot" : name(cell[1])) " | `" cell[2] "` | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " number(cell[6]) " | " number(cell[7]) ", " number(cell[8]) " |"
+            print "| " (cell[1] == "spot" ? "Spot" : name(cell[1])) " | `" cell[2] "` | " number(cell[3]) " | " number(cell[4]) " | " number(cell[5]) " | " number(cell[6]) " | " number(cell[7]) words(", ", " ; ") number(cell[8]) " |"
         }
     } else if (what == "marching") {
         heads(words("scene | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels off by more than a step", "scène | `f32x8`, ms | `f32x16`, ms | Mesa, ms | pixels écartés de plus d’un niveau"))

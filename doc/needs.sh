@@ -43,7 +43,7 @@ itself, on a whole picture 160 pixels wide at most. Then all of them are checked
 refutes them, one setting after the other is put back to its finest, and the one with which the fewest pixels are off is
 made finer. So the cause that is named is found by experiment.
 
-Pictures 320 pixels wide have 76,800 pixels: seven may be off. What is off in a picture that is not drawn here is not known;
+Pictures of 320 by 240 have 76,800 pixels: seven may be off. What is off in a picture that is not drawn here is not known;
 more pixels find rarer faults.
 
 | scene | forecast | needed | checked against | worst | off | float: worst | off | corrected | double |

@@ -94,6 +94,16 @@ expect 0 '^.*/my.lua:7: ' 'a field that is too steep is noted' "$dioptre" info "
 note=$(sed 's|.*/my.lua|my.lua|' "$work/err")
 grep -qF "    $note" doc/scene-reference.md && ok 'doc/scene-reference.md shows its note' || fail "doc/scene-reference.md has no: $note"
 
+# The actions of lessons: all commands that are recorded, but for `snapshot()` and those that go back.
+awk '/^    \{"/{ name = $0; sub(/^ *\{"/, "", name); sub(/".*/, "", name) } /^    /{ rows[name] = rows[name] $0 }
+    END { for (name in rows) if (rows[name] !~ /UNRECORDED/ && name !~ / back$/ && name != "snapshot") print name }' \
+    src/view/commands/commands.c >"$work/actions"
+[ "$(wc -l <"$work/actions")" -gt 50 ] || fail 'the actions of lessons are not found'
+while read -r action; do
+    grep -qF "\`$action\`" doc/scene-reference.md || fail "doc/scene-reference.md has no action $action"
+done <"$work/actions"
+ok 'doc/scene-reference.md has the actions of lessons'
+
 # --- the manual page -----------------------------------------------------------------------------
 if command -v groff >/dev/null; then
     groff -man -ww -Tutf8 doc/dioptre.1 >/dev/null 2>"$work/err"

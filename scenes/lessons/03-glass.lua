@@ -84,8 +84,8 @@ ask {
   },
   right = 2,
   because = {
-    en = "In the middle it is not quite 4 %. Near the rim, where the ray comes flat, it is many times that, as the first line says; at the very edge nearly all. That is Fresnel's law.",
-    fr = "Au centre, c’est un peu moins de 4 %. Près du bord, le rayon est rasant et c’est bien davantage, comme le dit la première ligne ; tout au bord, presque tout est réfléchi : ce sont les formules de Fresnel." },
+    en = "In the middle it is about 4 %. Near the rim, where the ray comes flat, it is many times that, as the first line says; at the very edge nearly all. That is Fresnel's law.",
+    fr = "Au centre, c’est environ 4 %. Près du bord, le rayon est rasant et c’est bien davantage, comme le dit la première ligne ; tout au bord, presque tout est réfléchi : ce sont les formules de Fresnel." },
 }
 set_depth(2)
 press "shadow rays"

@@ -62,7 +62,7 @@ ask(most)
 press "layer rays"
 wait(1)
 caption { wait = true, en = "Ball and cube mirror each other, again and again. A ray may be mirrored 8 times here.",
-          fr = "La boule et le cube se reflètent sans fin. Ici, un rayon peut être réfléchi 8 fois." }
+          fr = "La boule et le cube se reflètent l’un dans l’autre, encore et encore. Ici, un rayon peut être réfléchi 8 fois." }
 press "layer light"
 
 ask {
@@ -75,8 +75,8 @@ ask {
   },
   right = 3,
   because = {
-    en = "Each mirroring leaves less than half of the light here. The fourth brings hardly anything.",
-    fr = "Ici, chaque réflexion laisse moins de la moitié de la lumière. La quatrième n’apporte presque rien." },
+    en = "On average, each mirroring leaves less than half of the light here. The fourth brings hardly anything.",
+    fr = "Ici, chaque réflexion laisse en moyenne moins de la moitié de la lumière. La quatrième n’apporte presque rien." },
 }
 for i = 1, 5 do press "less deep" end
 wait(1)

@@ -330,7 +330,7 @@ static void print_tapes(const SceneInfo *info) {
             if (factor != 1) {
                 printf(gettext(", divided by %.3g"), 1 / factor);
             }
-            separator = "; ";
+            separator = gettext("; ");
         }
     }
     putchar('\n');

@@ -127,7 +127,7 @@ const Command command_table[] = {
     {"epsilon ten times", {ONLY_PLACE(RIGHTBRACKET, NULL)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT | COMMAND_REPEATS, RUNS(action_change_epsilon, 10)},
     {"engine", {KEY(g)}, N_("engine"), PICTURE, .help = N_("number type: float, double, quad"), .flags = COMMAND_CHOICE, RUNS(action_change_engine, 1)},
     {"engine back", {KEY(g)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_change_engine, -1)},
-    {"light mode", {KEY(m)}, N_("light"), PICTURE, .help = N_("which light: lamps, from everywhere, both"), .flags = COMMAND_CHOICE, RUNS(action_change_lighting, 1)},
+    {"light mode", {KEY(m)}, N_("light"), PICTURE, .help = N_("which light: lamps and ambient, lamps alone, none"), .flags = COMMAND_CHOICE, RUNS(action_change_lighting, 1)},
     {"light mode back", {KEY(m)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_change_lighting, -1)},
     {"deeper", {KEY(b)}, N_("depth"), PICTURE, .help = N_("depth: more bounces (Shift: fewer)"), .flags = COMMAND_CHOICE, RUNS(action_change_depth, 1)},
     {"less deep", {KEY(b)}, .flags = COMMAND_CHOICE | COMMAND_SHIFT, RUNS(action_change_depth, -1)},

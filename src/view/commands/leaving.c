@@ -18,7 +18,8 @@ static const char *leaving_question(const App *app) {
         return N_("a lesson plays: leave again to end it, or press another key to stay");
     }
     if (app_is_recording(app)) {
-        return N_("a lesson is recorded: leave again to end it, or press another key to stay");
+        return N_("a lesson is recorded: leave again to save it and close the window, or press "
+                  "another key to stay");
     }
     bool is_changed = edit_history_in_force(&app->edits) > 0;
     return is_changed

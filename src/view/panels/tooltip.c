@@ -42,7 +42,8 @@ static const Sentence sentences[] = {
     {"engine", N_("the number type that rays are computed with: float, double, quad")},
     {"deeper", N_("depth: how often a ray may be mirrored or refracted")},
     {"samples twice", N_("samples: rays through each pixel, for smooth edges and soft shadows")},
-    {"light mode", N_("which light counts: that of the lamps, that from everywhere, or both")},
+    {"light mode", N_("which light counts: that of the lamps and the ambient one, that of the "
+                      "lamps alone, or none")},
     {"as at first", N_("settings, layer and pictures as at first")},
     {"split", N_("one picture, two with settings of their own side by side, or their difference")},
     {"time", N_("run the scene's time, or hold it")},

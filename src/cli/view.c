@@ -16,15 +16,15 @@
 #include <unistd.h>
 
 /** The source of scenes for the window. */
-typedef struct SceneSource {
+typedef struct SceneLoadContext {
     const Options *command_line; /**< The command line. */
     Options options;             /**< The same, with the newest scene and its lesson's settings. */
     char path[PATH_MAX];         /**< File of that scene, if it is not that of the command line. */
     AssetCache *cache;           /**< Its assets; NULL before the first scene; owned. */
-} SceneSource;
+} SceneLoadContext;
 
 /** Stores the source of a scene that was loaded. */
-static void store_loaded(SceneSource *source, const Options *options, AssetCache *cache) {
+static void store_loaded(SceneLoadContext *source, const Options *options, AssetCache *cache) {
     if (options->arguments[0] != source->options.arguments[0]) {
         snprintf(source->path, sizeof source->path, "%s", options->arguments[0]);
         source->options = *options;
@@ -83,7 +83,7 @@ static Lesson *open_lesson(const char *path, Options *options, Error *error) {
 /** @return The settings of a scene without those of a lesson, but of the size that it has with
  * them.
  */
-static RenderSettings own_settings(const SceneSource *source, const Options *options,
+static RenderSettings own_settings(const SceneLoadContext *source, const Options *options,
                                    const Scene *scene) {
     Options own = *source->command_line;
     own.width = options->width;
@@ -133,7 +133,7 @@ static bool apply_requested_path(const ViewRequest *request, Options *options, d
 static Scene *load_scene(void *context, const ViewRequest *request, const atomic_bool *stop,
                          RenderSettings *render, RenderSettings *own, Lesson **lesson,
                          Error *error) {
-    SceneSource *source = context;
+    SceneLoadContext *source = context;
     Options options = request->path ? *source->command_line : source->options;
     double time = request->time;
     bool needs_new_cache = request->path || request->force_reload || !source->cache;
@@ -194,7 +194,7 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
  *  the lesson. @param command_line Without them. @param lesson The lesson to play, or NULL. */
 static void show_scene(const Options *options, const Options *command_line, const Lesson *lesson,
                        Error *error) {
-    SceneSource source = {.command_line = command_line, .options = *options};
+    SceneLoadContext source = {.command_line = command_line, .options = *options};
     Lesson *none = NULL;
     ViewSettings settings = {.keys_by_letter = options->keys == KEYS_BY_LETTER,
                              .path = options->arguments[0],

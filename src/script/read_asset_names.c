@@ -18,13 +18,13 @@
 #include <string.h>
 
 /** A kind of file that a scene can name: meshes or pictures. */
-typedef struct AssetKind {
+typedef struct AssetNameKind {
     const char *expected; /**< Description of a valid name, for errors. */
     /** Checks the ending of a name. @return Whether it is of this kind. */
     bool (*check)(const char *path, Error *error);
     /** Adds it to the scene, unless it is there. @return false when the scene's memory is full. */
     bool (*add)(Scene *scene, const SceneFile *file, size_t *place, Error *error);
-} AssetKind;
+} AssetNameKind;
 
 /**
  * Adds a file to the scene, unless it is there.
@@ -36,8 +36,8 @@ typedef struct AssetKind {
  * @param[out] error  What is wrong.
  * @return false when the scene's memory is full.
  */
-static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, const char *real_path,
-                      size_t *index, Error *error) {
+static bool add_asset(lua_State *L, const AssetNameKind *kind, const char *name,
+                      const char *real_path, size_t *index, Error *error) {
     const ScriptSandbox *sandbox = script_sandbox_of(L);
     const ScriptRun *run = sandbox->context;
     char where[SANITIZED_PATH_SIZE + sizeof ":-2147483648"];
@@ -47,12 +47,12 @@ static bool add_asset(lua_State *L, const AssetKind *kind, const char *name, con
 }
 
 /** Pushes the names of a kind that the scene has used, with the indices of their files. */
-static void push_known_names(lua_State *L, const AssetKind *kind) {
+static void push_known_names(lua_State *L, const AssetNameKind *kind) {
     registry_table_push(L, kind, false);
 }
 
 /** @return Whether the scene has used the name on top of the stack. @param[out] place Its file. */
-static bool find_known_name(lua_State *L, const AssetKind *kind, size_t *place) {
+static bool find_known_name(lua_State *L, const AssetNameKind *kind, size_t *place) {
     push_known_names(L, kind);
     lua_pushvalue(L, -2);
     bool is_known = lua_rawget(L, -2) == LUA_TNUMBER;
@@ -62,7 +62,7 @@ static bool find_known_name(lua_State *L, const AssetKind *kind, size_t *place) 
 }
 
 /** Remembers the name on top of the stack: a thousand shapes ask the program once. */
-static void remember_name(lua_State *L, const AssetKind *kind, size_t place) {
+static void remember_name(lua_State *L, const AssetNameKind *kind, size_t place) {
     push_known_names(L, kind);
     lua_pushvalue(L, -2);
     lua_pushinteger(L, (lua_Integer)place);
@@ -79,7 +79,7 @@ static void remember_name(lua_State *L, const AssetKind *kind, size_t place) {
  * @return Index of the file in the scene.
  */
 static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
-                              const AssetKind *kind) {
+                              const AssetNameKind *kind) {
     size_t length, asset_index = 0;
     ScriptAnswer answer;
     if (lua_type(L, index) != LUA_TSTRING) {
@@ -107,12 +107,13 @@ static size_t read_asset_name(lua_State *L, int index, const Parameter *row,
 }
 
 void read_mesh_name(lua_State *L, int index, const Parameter *row, void *field) {
-    static const AssetKind kind = {N_("the name of a model file"), mesh_file_check, scene_add_mesh};
+    static const AssetNameKind kind = {N_("the name of a model file"), mesh_file_check,
+                                       scene_add_mesh};
     *(size_t *)field = read_asset_name(L, index, row, &kind);
 }
 
 void read_texture_name(lua_State *L, int index, const Parameter *row, void *field) {
-    static const AssetKind kind = {N_("the name of a picture file"), texture_file_check,
-                                   scene_add_texture};
+    static const AssetNameKind kind = {N_("the name of a picture file"), texture_file_check,
+                                       scene_add_texture};
     *(size_t *)field = read_asset_name(L, index, row, &kind) + 1;
 }

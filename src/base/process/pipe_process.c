@@ -18,6 +18,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /** Largest size of a program's error message. */
@@ -153,16 +154,24 @@ bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size) {
 }
 
 /**
- * Waits for the end of a program; kills it if its stop flag is set.
+ * Waits for the end of a program; kills it if its stop flag is set. It looks again and again: the
+ * signal that sets the flag may interrupt another thread than this one.
  * @return Its status as of waitpid.
  */
 static int wait_for_exit(PipeProcess *program) {
+    /** Time between two looks: too short to be noticed at the end of a film. */
+    const struct timespec interval = {.tv_nsec = 5000000};
     int status = 0;
-    do {
+    pid_t ended = 0;
+    while (ended == 0 || (ended < 0 && errno == EINTR)) {
         if (process_is_stopped(program)) {
             kill(program->pid, SIGKILL);
         }
-    } while (waitpid(program->pid, &status, 0) < 0 && errno == EINTR);
+        ended = waitpid(program->pid, &status, WNOHANG);
+        if (ended == 0) {
+            nanosleep(&interval, NULL);
+        }
+    }
     program->pid = 0;
     return status;
 }

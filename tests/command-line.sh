@@ -146,6 +146,13 @@ cp "$box" "$work/own.lua"
 expect 2 'writes a .svg file' 'a drawing over the scene' "$dioptre" probe "$work/own.lua" 4 3 --svg "$work/own.lua"
 same "$box" "$work/own.lua" 'the scene is as it was'
 expect 0 '"progress"' 'progress as json' "$dioptre" render "$box" -o "$work/j.bmp" --progress json -s 80x60
+expect 0 '"done": 3, "frames": 3, "progress": 1.0000' 'progress of bench' \
+    "$dioptre" bench "$box" -s 80x60 --frames 3 --progress json
+expect 0 '"done": 1, "tests": 1, "progress": 1.0000' 'progress of lab' "$dioptre" lab sphere-pole --out "$work/lab" --progress json
+expect 0 '"done": 1, "charts": 1, "progress": 1.0000' 'progress of chart' \
+    "$dioptre" chart "$box" -s 80x60 --out "$work/lab" --progress json
+expect 0 '^\{"stage": "depth and tolerances"\}$' 'progress of needs' "$dioptre" needs "$box" -s 80x60 --progress json
+expect 0 '' 'no progress of needs' "$dioptre" needs "$box" -s 80x60 --progress none
 expect 0 '' 'progress is only for terminals' "$dioptre" render "$box" -o "$work/q.bmp" -s 80x60
 expect 2 'own, a, b, c or d' 'unknown methods' "$dioptre" render "$box" -o "$work/x.bmp" --methods e
 expect 2 'center or corner' 'unknown point of a pixel' "$dioptre" render "$box" -o "$work/x.bmp" --pixel middle

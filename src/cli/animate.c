@@ -193,7 +193,7 @@ static bool produce_frames(Animation *animation, const atomic_bool *stop, Error 
 static void animate(Animation *animation, Error *error) {
     int count = frame_range_count(&animation->frames);
     const atomic_bool *stop = interrupt_flag();
-    animation->progress = progress_begin(animation->options, count);
+    animation->progress = progress_begin(animation->options, PROGRESS_FRAMES, count);
     bool is_good = produce_frames(animation, stop, error);
     if (is_good && animation->film) {
         is_good = film_commit(animation->film, error);

@@ -30,10 +30,10 @@ static RenderStats bench_frame(Renderer *renderer, BenchRays rays) {
                                : renderer_benchmark_rays(renderer, rays == BENCH_RANDOM);
 }
 
-/** Times pictures, after one that is not counted. @return false when interrupted or without memory.
- */
-static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchResult *result,
-                          Error *error) {
+/** Times pictures, after one that is not counted. @param progress Counts these. @return false when
+ *  interrupted or without memory. */
+static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, Progress *progress,
+                          BenchResult *result, Error *error) {
     double *ms = calloc((size_t)frames, sizeof *ms);
     if (!ms) {
         return error_set(error, STATUS_FAILED, "no memory for %d times", frames);
@@ -42,6 +42,7 @@ static bool bench_measure(Renderer *renderer, BenchRays rays, int frames, BenchR
     for (int i = 0; i < frames && report.is_finished; i++) {
         report = bench_frame(renderer, rays);
         ms[i] = 1e3 * report.seconds;
+        progress_done(progress);
     }
     double median = median_sort(ms, (size_t)frames);
     *result = (BenchResult){.frames = frames,
@@ -108,7 +109,11 @@ void cli_bench(const Options *options, Error *error) {
     }
     Renderer *renderer = renderer_create(scene, &settings, error);
     BenchResult result = {0};
-    if (renderer && bench_measure(renderer, (BenchRays)options->rays, frames, &result, error)) {
+    Progress *progress = renderer ? progress_begin(options, PROGRESS_FRAMES, frames) : NULL;
+    bool is_measured = renderer && bench_measure(renderer, (BenchRays)options->rays, frames,
+                                                 progress, &result, error);
+    progress_end(progress);
+    if (is_measured) {
         bench_print(&result, &settings, options);
     }
     renderer_destroy(renderer);

@@ -50,17 +50,17 @@ static bool check_names(const Options *options, Error *error) {
     return true;
 }
 
-/** Charts scenes. @return false on failure; finished charts are kept. */
-static bool chart_scenes(const Options *options, const LabRequest *request, Error *error) {
-    size_t without_chart = 0;
-    for (int i = 0; i < options->argument_count; i++) {
-        bool has_chart = false;
-        if (!chart_scene(options, options->arguments[i], request, &has_chart, error)) {
-            return false;
-        }
-        without_chart += !has_chart;
-    }
-    return command_check_charts(without_chart, error);
+/** The scenes of a command line. */
+typedef struct SceneCharts {
+    const Options *options;    /**< The command line. */
+    const LabRequest *request; /**< What is asked of the charts. */
+} SceneCharts;
+
+/** Charts a scene. See #ChartedRun. */
+static bool run_scene(const void *context, size_t i, bool *has_chart, Error *error) {
+    const SceneCharts *charts = context;
+    return chart_scene(charts->options, charts->options->arguments[i], charts->request, has_chart,
+                       error);
 }
 
 /** Finds the tests whose methods are charted. @param options The command line: its arguments, or
@@ -86,21 +86,24 @@ static size_t find_timed_tests(const Options *options, size_t *indices, Error *e
     return count;
 }
 
+/** The methods that are charted. */
+typedef struct MethodCharts {
+    size_t indices[ARGUMENTS_MAXIMUM]; /**< The tests that have them. */
+    const LabRequest *request;         /**< What is asked of the charts. */
+} MethodCharts;
+
+/** Charts the methods of a test. See #ChartedRun. */
+static bool run_methods(const void *context, size_t i, bool *has_chart, Error *error) {
+    const MethodCharts *charts = context;
+    return lab_benchmark_test(charts->indices[i], charts->request, has_chart, error);
+}
+
 /** Charts methods. @return false on failure; finished charts are kept. */
 static bool chart_methods(const Options *options, const LabRequest *request, Error *error) {
-    size_t indices[ARGUMENTS_MAXIMUM];
-    size_t count = find_timed_tests(options, indices, error), without_chart = 0;
-    if (count == 0 || !lab_create_folder(request, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < count; i++) {
-        bool has_chart = false;
-        if (!lab_benchmark_test(indices[i], request, &has_chart, error)) {
-            return false;
-        }
-        without_chart += !has_chart;
-    }
-    return command_check_charts(without_chart, error);
+    MethodCharts charts = {.request = request};
+    size_t count = find_timed_tests(options, charts.indices, error);
+    return count > 0 && lab_create_folder(request, error) &&
+           command_run_each(options, PROGRESS_CHARTS, count, run_methods, &charts, error);
 }
 
 void cli_chart(const Options *options, Error *error) {
@@ -115,6 +118,8 @@ void cli_chart(const Options *options, Error *error) {
     } else if (options->argument_count == 0) {
         error_set(error, STATUS_USAGE, "chart needs a scene, or --kernels");
     } else if (check_names(options, error) && lab_create_folder(&request, error)) {
-        chart_scenes(options, &request, error);
+        const SceneCharts charts = {options, &request};
+        command_run_each(options, PROGRESS_CHARTS, (size_t)options->argument_count, run_scene,
+                         &charts, error);
     }
 }

@@ -60,14 +60,6 @@ bool command_find_test(const char *name, size_t *index, Error *error);
 /** @return Number of threads of a command. */
 int command_threads(const Options *options);
 
-/**
- * Checks that no chart is missing.
- * @param count  Number of missing charts.
- * @param[out] error  Says how to install gnuplot (#STATUS_FAILED).
- * @return false if any is missing.
- */
-bool command_check_charts(size_t count, Error *error);
-
 /** Prints a text, padded with blanks. @param width Width of the column, letters; longer texts are
  * not cut. */
 void print_padded(const char *text, int width);
@@ -101,31 +93,54 @@ typedef struct MeshReadProgress {
  */
 const MeshProgress *mesh_read_progress_init(MeshReadProgress *progress, const Options *options);
 
-/** A thread that reports the progress of one or more pictures. */
+/** @return Whether progress is reported. */
+bool progress_is_wanted(const Options *options);
+
+/** A thread that reports how many of some items are done. */
 typedef struct Progress Progress;
+
+/** What items are. */
+typedef enum {
+    PROGRESS_FRAMES, /**< Pictures. */
+    PROGRESS_TESTS,  /**< Tests of the laboratory, which print rows of a table. */
+    PROGRESS_CHARTS  /**< Charts, which print rows of a table, too. */
+} ProgressItem;
 
 /**
  * Begins to report progress on standard error.
- * @param pictures  Number of pictures.
- * @return The progress, to be ended with #progress_end; NULL where it is off.
+ * @param count  Number of items.
+ * @return The progress, to be ended with #progress_end; NULL where it is off: also as text beside a
+ *         table on a terminal, which tells how far it is.
  */
-Progress *progress_begin(const Options *options, int pictures);
+Progress *progress_begin(const Options *options, ProgressItem item, int count);
+
+/** Begins the first item. @param progress The progress, or NULL. */
+void progress_start(Progress *progress);
 
 /** Begins a picture. @param progress The progress, or NULL. @param renderer Its renderer, which
  * must exist until #progress_done. */
 void progress_set_renderer(Progress *progress, const Renderer *renderer);
 
-/** Ends a picture. @param progress The progress, or NULL. */
+/** Ends an item. @param progress The progress, or NULL. */
 void progress_done(Progress *progress);
 
 /** Notes that a picture was stopped. @param fraction What is done of it, 0 to 1. */
 void progress_stop(Progress *progress, double fraction);
 
-/** Skips a picture. @param progress The progress, or NULL. */
+/** Skips an item. @param progress The progress, or NULL. */
 void progress_skip(Progress *progress);
 
 /** Ends the reports and clears the line. @param progress The progress, or NULL. */
 void progress_end(Progress *progress);
+
+/** Makes a table and its chart. @param index Which one. @param[out] has_chart Whether there is a
+ *  chart. @return false on failure. */
+typedef bool ChartedRun(const void *context, size_t index, bool *has_chart, Error *error);
+
+/** Makes tables and their charts, and reports how many are done. @param item What they are.
+ *  @return false on failure, also if charts are missing; what was made before is kept. */
+bool command_run_each(const Options *options, ProgressItem item, size_t count, ChartedRun *run,
+                      const void *context, Error *error);
 
 /** A picture to render. */
 typedef struct RenderJob {

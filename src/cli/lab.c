@@ -34,28 +34,45 @@ int command_threads(const Options *options) {
     return options->threads ? options->threads : render_cpu_count();
 }
 
-bool command_check_charts(size_t count, Error *error) {
+/** Says so if charts are missing. @param count Number of these. @return Whether none is. */
+static bool check_charts(size_t count, Error *error) {
     return count == 0 || error_set(error, STATUS_FAILED,
                                    "the CSV files are written; for the charts gnuplot is missing: "
                                    "sudo apt-get install %s",
                                    CHART_PACKAGE);
 }
 
-/** Runs the tests of a command line, or all. @return false on failure, also if charts are missing.
- */
-static bool run_tests(const Options *options, const LabRequest *request, Error *error) {
-    size_t named = (size_t)options->argument_count, count = named ? named : lab_test_count();
+bool command_run_each(const Options *options, ProgressItem item, size_t count, ChartedRun *run,
+                      const void *context, Error *error) {
     size_t without_chart = 0;
-    for (size_t i = 0; i < count; i++) {
-        size_t index = i;
+    bool is_good = true;
+    Progress *progress = progress_begin(options, item, (int)count);
+    progress_start(progress);
+    for (size_t i = 0; i < count && is_good; i++) {
         bool has_chart = false;
-        if ((named && !command_find_test(options->arguments[i], &index, error)) ||
-            !lab_run_test(index, request, &has_chart, error)) {
-            return false;
+        is_good = run(context, i, &has_chart, error);
+        if (is_good) {
+            progress_done(progress);
         }
         without_chart += !has_chart;
     }
-    return command_check_charts(without_chart, error);
+    progress_end(progress);
+    return is_good && check_charts(without_chart, error);
+}
+
+/** The tests of a command line. */
+typedef struct TestRun {
+    const Options *options;    /**< The command line; without names, all tests are meant. */
+    const LabRequest *request; /**< What is asked of them. */
+} TestRun;
+
+/** Runs a test. See #ChartedRun. */
+static bool run_test(const void *context, size_t i, bool *has_chart, Error *error) {
+    const TestRun *run = context;
+    size_t index = i;
+    return (run->options->argument_count == 0 ||
+            command_find_test(run->options->arguments[i], &index, error)) &&
+           lab_run_test(index, run->request, has_chart, error);
 }
 
 void cli_lab(const Options *options, Error *error) {
@@ -75,6 +92,9 @@ void cli_lab(const Options *options, Error *error) {
         }
     }
     if (lab_create_folder(&request, error)) {
-        run_tests(options, &request, error);
+        const TestRun run = {options, &request};
+        size_t named = (size_t)options->argument_count;
+        command_run_each(options, PROGRESS_TESTS, named ? named : lab_test_count(), run_test, &run,
+                         error);
     }
 }

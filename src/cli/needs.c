@@ -10,7 +10,6 @@
 
 #include <libintl.h>
 #include <stdio.h>
-#include <unistd.h>
 
 /** Significant digits of errors in JSON, and of settings and times. */
 enum { ERROR_DIGITS = 4, SETTING_DIGITS = 6 };
@@ -229,14 +228,20 @@ static void budget_print(const Needs *needs, const NeedsRequest *request) {
 
 /** The line that says what is tried now. */
 typedef struct NeedsProgress {
-    bool is_wanted; /**< Whether there is a terminal. */
+    bool is_wanted; /**< Whether it is asked for. */
+    bool is_json;   /**< Whether as JSON: an object per line. */
     bool is_shown;  /**< Whether there is a line to clear. */
 } NeedsProgress;
 
-/** Is a NeedsRequest::report: says on the terminal what is tried now. */
+/** Is a NeedsRequest::report: says what is tried now. */
 static void progress_print(void *context, const char *stage) {
     NeedsProgress *progress = context;
-    if (progress->is_wanted) {
+    if (progress->is_json) {
+        JsonWriter json = {.stream = stderr};
+        json_object_begin(&json, NULL);
+        json_string(&json, "stage", stage);
+        json_line_end(&json);
+    } else if (progress->is_wanted) {
         fprintf(stderr, "\r%s...\033[K", gettext(stage));
         fflush(stderr);
         progress->is_shown = true;
@@ -261,7 +266,9 @@ void cli_needs(const Options *options, Error *error) {
         return;
     }
     Needs needs;
-    NeedsProgress progress = {.is_wanted = isatty(STDERR_FILENO) && !options->quiet};
+    const bool is_wanted = progress_is_wanted(options);
+    NeedsProgress progress = {.is_wanted = is_wanted,
+                              .is_json = is_wanted && options->progress == PROGRESS_JSON};
     NeedsRequest request = {.width = settings.width,
                             .height = settings.height,
                             .samples = settings.samples,

@@ -4,6 +4,7 @@
  */
 #include "base/clock.h"
 #include "base/json.h"
+#include "base/language.h"
 #include "base/sanitize.h"
 #include "cli/commands.h"
 
@@ -19,12 +20,13 @@ static const double PROGRESS_INTERVAL = 0.2;
 
 struct Progress {
     const Renderer *renderer; /**< Renderer of the picture under way, or NULL. */
-    int pictures;             /**< Number of pictures. */
-    int done;                 /**< Number of pictures that are done. */
+    ProgressItem item;        /**< What is counted. */
+    int count;                /**< Number of items. */
+    int done;                 /**< Number of items that are done. */
     double stopped_fraction;  /**< What is done of a picture that was stopped, 0 to 1. */
-    bool is_film;             /**< Whether there are several pictures. */
+    bool tells_count;         /**< Whether the items are told: not of a single picture. */
     bool is_json;             /**< JSON lines instead of one line of text. */
-    bool has_begun;           /**< Whether a picture was begun or done: before, others print. */
+    bool has_begun;           /**< Whether an item was begun or done: before, others print. */
     bool is_ended;            /**< Whether the thread is to end. */
     pthread_mutex_t mutex;    /**< Guards all members. */
     pthread_cond_t wake;      /**< Signalled at the end. */
@@ -37,11 +39,11 @@ static double progress_seconds(const Progress *progress) {
     return clock_now_seconds() - progress->start;
 }
 
-/** @return The fraction of all pictures that is done, 0 to 1. */
+/** @return The fraction of all items that is done, 0 to 1. */
 static double progress_fraction(const Progress *progress) {
     double current_fraction =
         progress->renderer ? renderer_progress(progress->renderer) : progress->stopped_fraction;
-    return progress->pictures > 0 ? (progress->done + current_fraction) / progress->pictures : 1;
+    return progress->count > 0 ? (progress->done + current_fraction) / progress->count : 1;
 }
 
 /** Ends a JSON line of progress. @param fraction The fraction of the work that is done, 0 to 1. */
@@ -53,6 +55,17 @@ static void write_json_estimate(JsonWriter *json, double fraction, double second
     json_line_end(json);
 }
 
+/** How items are told. */
+typedef struct ItemWords {
+    const char *json; /**< Name of their number in JSON. */
+    const char *text; /**< Format of a text. */
+} ItemWords;
+
+/** How items are told, in the order of #ProgressItem. */
+static const ItemWords item_words[] = {{"frames", N_("%d of %d frames, ")},
+                                       {"tests", N_("%d of %d tests, ")},
+                                       {"charts", N_("%d of %d charts, ")}};
+
 /** Prints one report. */
 static void progress_print(const Progress *progress) {
     double fraction = progress_fraction(progress), seconds = progress_seconds(progress);
@@ -60,15 +73,16 @@ static void progress_print(const Progress *progress) {
     if (progress->is_json) {
         JsonWriter json = {.stream = stderr};
         json_object_begin(&json, NULL);
-        if (progress->is_film) {
+        if (progress->tells_count) {
             json_integer(&json, "done", progress->done);
-            json_integer(&json, "frames", progress->pictures);
+            json_integer(&json, item_words[progress->item].json, progress->count);
         }
         write_json_estimate(&json, fraction, seconds, seconds_left);
     } else {
         fputc('\r', stderr);
-        if (progress->is_film) {
-            fprintf(stderr, gettext("%d of %d frames, "), progress->done, progress->pictures);
+        if (progress->tells_count) {
+            fprintf(stderr, gettext(item_words[progress->item].text), progress->done,
+                    progress->count);
         }
         fprintf(stderr, gettext("%3.0f %%, %.0f s left"), 100 * fraction, seconds_left);
         fputs(" \033[K", stderr);
@@ -91,8 +105,7 @@ static void *progress_main(void *argument) {
     return NULL;
 }
 
-/** @return Whether progress is on. */
-static bool progress_is_wanted(const Options *options) {
+bool progress_is_wanted(const Options *options) {
     bool is_shown = options->progress == PROGRESS_JSON ||
                     (options->progress == PROGRESS_AUTO && isatty(STDERR_FILENO));
     return is_shown && !options->quiet;
@@ -144,13 +157,17 @@ const MeshProgress *mesh_read_progress_init(MeshReadProgress *progress, const Op
     return progress_is_wanted(options) ? &progress->callbacks : NULL;
 }
 
-Progress *progress_begin(const Options *options, int pictures) {
-    Progress *progress = progress_is_wanted(options) ? calloc(1, sizeof *progress) : NULL;
+Progress *progress_begin(const Options *options, ProgressItem item, int count) {
+    bool is_beside_table =
+        item != PROGRESS_FRAMES && options->progress == PROGRESS_AUTO && isatty(STDOUT_FILENO);
+    bool is_wanted = progress_is_wanted(options) && !is_beside_table;
+    Progress *progress = is_wanted ? calloc(1, sizeof *progress) : NULL;
     if (!progress) {
         return NULL;
     }
-    progress->pictures = pictures;
-    progress->is_film = pictures > 1;
+    progress->item = item;
+    progress->count = count;
+    progress->tells_count = count > 1 || item != PROGRESS_FRAMES;
     progress->is_json = options->progress == PROGRESS_JSON;
     progress->start = clock_now_seconds();
     pthread_mutex_init(&progress->mutex, NULL);
@@ -166,8 +183,8 @@ Progress *progress_begin(const Options *options, int pictures) {
  * Updates the numbers that are reported.
  * @param progress  The progress, or NULL.
  * @param renderer  Renderer of the picture under way, or NULL.
- * @param done      Pictures finished by this call.
- * @param skipped   Pictures skipped by this call.
+ * @param done      Items finished by this call.
+ * @param skipped   Items skipped by this call.
  */
 static void progress_update(Progress *progress, const Renderer *renderer, int done, int skipped) {
     if (progress) {
@@ -175,9 +192,13 @@ static void progress_update(Progress *progress, const Renderer *renderer, int do
         progress->renderer = renderer;
         progress->has_begun = true;
         progress->done += done;
-        progress->pictures -= skipped;
+        progress->count -= skipped;
         pthread_mutex_unlock(&progress->mutex);
     }
+}
+
+void progress_start(Progress *progress) {
+    progress_update(progress, NULL, 0, 0);
 }
 
 void progress_set_renderer(Progress *progress, const Renderer *renderer) {

@@ -139,7 +139,7 @@ static void render_scene(const Scene *scene, const Options *options, const Rende
     Picture picture = {0};
     Renderer *renderer = NULL;
     RenderStats report = {0};
-    job.progress = progress_begin(options, 1);
+    job.progress = progress_begin(options, PROGRESS_FRAMES, 1);
     bool is_done = command_render(&job, scene, &renderer, &picture, &report, error);
     renderer_destroy(renderer);
     progress_end(job.progress);

@@ -131,10 +131,43 @@ static void check_weak_mirror(const Engine *engine) {
     scene_destroy(scene);
 }
 
+/** Where a lamp is nearer than 1, a falloff brightens: a panel beside it is seen in a floor that
+ *  mirrors a hundred-thousandth. */
+static void check_near_lamp(const Engine *engine) {
+    static const Falloff falloffs[] = {FALLOFF_INVERSE_LINEAR, FALLOFF_INVERSE_SQUARE};
+    for (int i = 0; i < 2; i++) {
+        double usual[3], finer[3];
+        Error error = {0};
+        Scene *scene = create_empty_scene();
+        SceneMaterial floor = mirror_material(0.00001);
+        floor.color = (Rgbd){0, 0, 0};
+        floor.specular = 0;
+        use_material(scene, floor);
+        add_placed_plane(scene, here, (Vec3d){0, 0, 0}, (Vec3d){0, 0, 1});
+        SceneMaterial panel = *(const SceneMaterial *)scene_material_keyword.defaults;
+        panel.color = (Rgbd){1, 1, 1};
+        use_material(scene, panel);
+        add_placed_quad(scene, here, (Vec3d){-1, -1, 0.01}, (Vec3d){2, 0, 0}, (Vec3d){0, 2, 0});
+        SceneLight lamp = *(const SceneLight *)scene_light_keyword.defaults;
+        lamp.position = (Vec3d){0.0001, 0, 0.0098};
+        lamp.falloff = falloffs[i];
+        lamp.falloff_constant = 0;
+        assert_true(scene_add_light(scene, &lamp, &error));
+        set_camera(scene, here, (Vec3d){0, 0, 0.005}, (Vec3d){0, 0, -1});
+        trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, 0}, 1, 1, usual);
+        trace_picture(engine, scene, (TraceLimits){DEPTH_MAXIMUM, 1e-9}, 1, 1, finer);
+        assert_true(finer[0] > 0.01);
+        assert_at_most(fabs(usual[0] - finer[0]), 0, "near lamp, falloff %d in %s", i,
+                       engine->name);
+        scene_destroy(scene);
+    }
+}
+
 /** @param state Not used. */
 static void test_bright_lights(void **state) {
     (void)state;
     for_every_engine(check_weak_mirror);
+    for_every_engine(check_near_lamp);
 }
 
 /** A closed box of perfect mirrors ends, and is counted; a depth that is asked for is not. */

@@ -81,12 +81,15 @@ double scene_shape_distance(const Scene *scene, const SceneShape *shape, Vec3d p
 static double light_gain(const Scene *scene, const SceneLight *light, const SceneShape *shape,
                          double least_distance) {
     const SceneLightClass *class = scene_light_classes[light->class_index];
-    if (light->falloff != FALLOFF_INVERSE_SQUARE || !class->center) {
+    if (light->falloff == FALLOFF_NONE || !class->center) {
         return 1;
     }
     SceneLightSize size = class->size ? class->size(light) : (SceneLightSize){0, 0};
     double distance = scene_shape_distance(scene, shape, class->center(light)) - size.reach;
     distance = fmax(distance, least_distance);
+    if (light->falloff == FALLOFF_INVERSE_LINEAR) {
+        return 1 / (light->falloff_constant + distance);
+    }
     // A surface of radiance L = I / area gives at most 2 pi L, from all of the hemisphere.
     return 1 / fmax(distance * distance, size.area / (2 * M_PI));
 }

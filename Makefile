@@ -461,8 +461,9 @@ LOOKING_UP   := error_set:3 error_prefix:2 lua_error_tr:2 app_set_status:2 title
 pot:
 	@.ci/packages gettext
 	@xgettext --from-code=UTF-8 --keyword=N_ --keyword=NC_:1c,2 $(LOOKING_UP:%=--keyword=%) $(LOOKING_UP:%=--flag=%:c-format) \
-	    --add-location=file --package-name=dioptre --package-version=$(VERSION) -o - $(WORD_SOURCES) | \
-	    sed '/^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' >$(PO)/dioptre.pot
+	    --add-location=file --package-name=dioptre --package-version=$(VERSION) -o $(PO)/dioptre.pot.new $(WORD_SOURCES)
+	@sed -i '/^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' $(PO)/dioptre.pot.new
+	@mv $(PO)/dioptre.pot.new $(PO)/dioptre.pot
 	@for po in $(PO)/*.po; do \
 	    msgmerge --quiet --update --backup=none --no-fuzzy-matching --add-location=file $$po $(PO)/dioptre.pot || exit 1; \
 	done

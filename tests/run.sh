@@ -42,9 +42,13 @@ rm -rf "$logs" && mkdir -p "$logs"
             echo BUILD=build/tsan SOAK_SECONDS=10 tests/soak.sh
         fi
     done
-} | xargs -d '\n' -P "${JOBS:-2}" -n 1 "$0" --one
+} >"$logs/tests"
+xargs -d '\n' -P "${JOBS:-2}" -n 1 tests/run.sh --one <"$logs/tests" || echo "not ok: some tests could not be run"
 # What measures time has the machine to itself.
-for script in schedule window bar objects scene-list latency; do "$0" --one "BUILD=build tests/$script.sh"; done
+for script in schedule window bar objects scene-list latency; do
+    echo "BUILD=build tests/$script.sh" >>"$logs/tests"
+    tests/run.sh --one "BUILD=build tests/$script.sh"
+done
 passed=$(head -qn 1 "$logs"/*.result | grep -c "^ok ")
 failed=$(head -qn 1 "$logs"/*.result | grep -c "^not ok ")
 for result in $(grep -l "^not ok " "$logs"/*.result); do
@@ -54,4 +58,6 @@ for result in $(grep -l "^not ok " "$logs"/*.result); do
     tail -n 5 "$result"
 done
 echo "$passed passed, $failed failed"
+# A test without a result has not run.
+[ $((passed + failed)) = "$(wc -l <"$logs/tests")" ] || { echo "of $(wc -l <"$logs/tests") tests"; exit 1; }
 [ "$failed" = 0 ]

@@ -1,7 +1,7 @@
 #!/bin/sh
 # A film by many machines, with GNU parallel over ssh. Every frame is a job: a machine that fails, or
-# is switched off, loses its own frame and no other. Run it again after any accident: jobs that are
-# done are not done again (--resume-failed), nor are frames that are there and whole (--skip-existing).
+# is switched off, loses its own frame and no other. Run it again after any accident: frames that are
+# there and whole are not drawn again (--skip-existing).
 #
 #   doc/farm/parallel.sh SCENE FOLDER FRAMES [HOSTS]
 #
@@ -19,7 +19,7 @@ else
     set -- --jobs "${JOBS:-100%}"
 fi
 # shellcheck disable=SC2086 # OPTIONS is a list
-seq 0 "$last" | parallel "$@" --joblog "$folder/jobs.log" --resume-failed --retries 3 --halt never \
+seq 0 "$last" | parallel "$@" --quote --joblog "$folder/jobs.log" --retries 3 --halt never \
     "${DIOPTRE:-dioptre}" animate "$scene" --threads 1 --quiet --skip-existing ${OPTIONS:-} \
     --frames {} -o "$folder/%05d.bmp"
 "${DIOPTRE:-dioptre}" animate "$folder/%05d.bmp" --frames "0-$last" -o "$folder/film.mp4"

@@ -35,7 +35,7 @@ bool microbenchmark_measure(const Experiment *experiment, int threads, const ato
                             Microbenchmark *benchmark, Error *error);
 
 /**
- * Saves a benchmark: prints a table, writes `benchmark-NAME.csv` and `benchmark-NAME.svg`.
+ * Saves a benchmark: prints a table, writes `kernel-NAME.csv` and `kernel-NAME.svg`.
  * @param[out] has_chart  Whether there is an SVG; there is none where gnuplot is missing.
  * @return false if anything is wrong.
  */

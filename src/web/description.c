@@ -28,7 +28,7 @@ static void write_shapes(const Scene *scene, JsonWriter *json) {
     json_object_begin(json, "shapes");
     for (size_t kind = 0; scene_shape_keywords[kind]; kind++) {
         if (counts[kind]) {
-            json_count(json, scene_shape_keywords[kind]->name, counts[kind]);
+            json_count(json, scene_word(scene_shape_keywords[kind]->name), counts[kind]);
         }
     }
     json_object_end(json);
@@ -44,7 +44,7 @@ static void write_middle(const Scene *scene, const Viewport *viewport, JsonWrite
                             &reading) &&
         reading.shape >= 0 && (size_t)reading.shape < scene->shape_count) {
         size_t kind = scene->shapes[reading.shape].class_index;
-        json_string(json, "middle", scene_shape_keywords[kind]->name);
+        json_string(json, "middle", scene_word(scene_shape_keywords[kind]->name));
     }
 }
 

@@ -75,6 +75,16 @@ static void jpeg_be_silent(j_common_ptr jpeg) {
     (void)jpeg;
 }
 
+/** @return Whether a JPEG file whose header is read is larger than pictures may be: the size of its
+ *  pixels would overflow. Its header alone is read, which is then refused like that of any format.
+ */
+static bool jpeg_is_too_large(const struct jpeg_decompress_struct *jpeg, ImageReader *reader) {
+    reader->header.width = (int)jpeg->image_width;
+    reader->header.height = (int)jpeg->image_height;
+    return jpeg->image_width > IMAGE_PLUGIN_SIZE_MAXIMUM ||
+           jpeg->image_height > IMAGE_PLUGIN_SIZE_MAXIMUM;
+}
+
 /** Decodes all rows of a JPEG file whose header is read. */
 static void decode_jpeg_rows(struct jpeg_decompress_struct *jpeg, ImageReader *reader) {
     jpeg->out_color_space = JCS_RGB;
@@ -103,8 +113,11 @@ static bool decode_jpeg(const unsigned char *bytes, size_t size, ImageReader *re
     if (setjmp(errors.back) == 0) {
         jpeg_mem_src(&jpeg, bytes, size);
         jpeg_read_header(&jpeg, TRUE);
-        decode_jpeg_rows(&jpeg, reader);
-        is_decoded = reader->pixels || set_message(message, gettext("no memory"));
+        is_decoded = jpeg_is_too_large(&jpeg, reader);
+        if (!is_decoded) {
+            decode_jpeg_rows(&jpeg, reader);
+            is_decoded = reader->pixels || set_message(message, gettext("no memory"));
+        }
     }
     jpeg_destroy_decompress(&jpeg);
     return is_decoded;

@@ -187,9 +187,13 @@ static bool read_light(App *app, const char *text) {
         }
         next += size;
     }
+    const Keyword *keyword = scene_light_keyword_for(&light);
+    if (next != count || (keyword->finish && !keyword->finish(&light, 0, &error))) {
+        return false;
+    }
     app->scene->lights[index] = light;
     app->home_view.is_light_moved[index] = true;
-    return next == count;
+    return true;
 }
 
 /** Sets the scene's time. @return Whether the line is right. */
@@ -278,7 +282,7 @@ static bool read_edit(App *app, const char *text) {
            scene_object_find(app->scene, edit.keyword, edit.number, &object) &&
            parameter_check_numbers(scene_object_row(edit.keyword, edit.row), edit.numbers,
                                    &error) &&
-           scene_override_check(&object, &edit, 1, &error) &&
+           edits_check(app, &object, &edit, 1, &error) &&
            edit_history_add(&app->edits, &edit, false, &error);
 }
 

@@ -68,12 +68,12 @@ static bool pixel_is_in_quad_set(const void *context, int x, int y) {
     return pixel_is_sampled(context, x, y) && (x / cell + y / cell) % 4 == 0;
 }
 
-/** Adds a setting. @return It, with the scene's own values. */
+/** Adds a setting; of more than #CHART_POINTS_MAXIMUM it replaces the last. @return It, with the
+ *  scene's own values. */
 static ChartPoint *add_setting(ChartMeasurement *measure, const char *group, const char *label) {
-    static ChartPoint none; // Discarded: there are too many.
     Chart *chart = measure->chart;
-    ChartPoint *point =
-        chart->count < CHART_POINTS_MAXIMUM ? &chart->points[chart->count++] : &none;
+    chart->count += chart->count < CHART_POINTS_MAXIMUM;
+    ChartPoint *point = &chart->points[chart->count - 1];
     *point = (ChartPoint){.setting = group,
                           .engine = measure->settings->engine,
                           .trace = measure->settings->trace,

@@ -179,10 +179,8 @@ static void release_moved_light(App *app, const SceneObject *object, const Param
     }
 }
 
-/** Checks edits of one object together with those in force. @return Whether the file could have
- *  given these values. */
-static bool check_edits(const App *app, const SceneObject *object, const SceneOverride *edits,
-                        size_t count, Error *error) {
+bool edits_check(const App *app, const SceneObject *object, const SceneOverride *edits,
+                 size_t count, Error *error) {
     SceneOverride *all = calloc(SCENE_OVERRIDES_MAXIMUM + count, sizeof *all);
     if (!all) {
         return error_set(error, STATUS_FAILED, "no memory for a change");
@@ -218,7 +216,7 @@ static void apply_edits(App *app, const SceneOverride *edits, size_t count, bool
         app_set_status(app, "there is no such object");
         return;
     }
-    bool is_good = check_edits(app, &object, edits, count, &error);
+    bool is_good = edits_check(app, &object, edits, count, &error);
     if (is_good) {
         view_history_forget_undone(&app->moves);
     }

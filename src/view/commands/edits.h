@@ -62,6 +62,11 @@ void edits_save_copy(App *app);
  *  clicked, fractions of the picture's width and height; NULL: not in the picture. */
 void edits_select(App *app, int keyword, int number, const Uvd *pixel);
 
+/** Checks edits of one object together with those in force. @return Whether the file could have
+ *  given these values. */
+bool edits_check(const App *app, const SceneObject *object, const SceneOverride *edits,
+                 size_t count, Error *error);
+
 /** Gives a field a value. @param continues Whether it belongs to the change before it. */
 void edits_set(App *app, const SceneOverride *override, bool continues);
 

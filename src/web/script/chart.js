@@ -1,5 +1,6 @@
 // Charts of the tables that commands write, as gnuplot draws them on a desktop: of `dioptre chart`, seconds of the processor for a megapixel
-// against the error of all together; of `dioptre lab`, the largest error of each method against the stress, for each number type.
+// against the error of all together; of `dioptre lab`, the largest error of each method against the stress, for each number type; of
+// `dioptre chart --kernels`, against nanoseconds.
 import { say } from "./words.js";
 
 const WIDTH = 560, HEIGHT = 380, LEFT = 70, RIGHT = 150, TOP = 30, BOTTOM = 45;
@@ -104,9 +105,11 @@ const drawMethods = (name, rows, column, words) => {
 /** @return Charts of a table of `dioptre lab`, whose first line says what stress and error are. */
 const drawLab = (name, text, rows) => {
   const column = LAB_COLUMNS.find((each) => rows.some((row) => row[each] > 0));
-  const drawn = rows.filter((row) => row[column] > 0 && row.stress > 0 && row.type !== LAB_REFERENCE);
+  const hasTimes = rows.some((row) => row.ns > 0); // Of `chart --kernels`, at one stress.
+  const drawn = rows.filter((row) => row[column] > 0 && row.stress > 0 && row.type !== LAB_REFERENCE)
+    .map((row) => hasTimes ? { ...row, stress: row.ns } : row);
   const [, stress, error] = /; stress: (.*); error: (.*)/.exec(text.split("\n")[0]) ?? [, "stress", "error"];
-  const words = { stress, error: column === "error_max" ? `${error}: ${say("largest")}` : column };
+  const words = { stress: hasTimes ? "ns" : stress, error: column === "error_max" ? `${error}: ${say("largest")}` : column };
   return distinct(drawn, "type").map((type) => drawMethods(`${name}: ${type}`, drawn.filter((row) => row.type === type), column, words));
 };
 

@@ -40,12 +40,17 @@ const WORKER = `
   };`;
 
 let parts = null;
-/** The program, compiled once. */
-const load = () => parts ??= (async () => {
+/** Reads and compiles the program. */
+const loadParts = async () => {
   const [wasm, data, script] = await Promise.all([readFile("dioptre-single.wasm"), readFile("dioptre.data"), readFile("dioptre-single.js")]);
   return { wasm: await WebAssembly.compile(wasm), preloaded: data.slice().buffer,
     url: URL.createObjectURL(new Blob([script, WORKER], { type: "text/javascript" })) };
-})();
+};
+/** The program, compiled once. */
+const load = () => parts ??= loadParts().catch((error) => {
+  parts = null; // The next command tries again.
+  throw error;
+});
 
 /** @return The words of a command line; quotes hold words together. */
 export const splitWords = (line) => [...line.matchAll(/"([^"]*)"|(\S+)/g)].map((match) => match[1] ?? match[2]);
@@ -58,9 +63,12 @@ export const splitWords = (line) => [...line.matchAll(/"([^"]*)"|(\S+)/g)].map((
  * @return { done, stop }: a promise of { status, made: [[name, bytes]] }; a function that ends it.
  */
 export const runCommand = (words, files, language, onLine) => {
-  let worker = null, finish = null;
+  let worker = null, finish = null, isStopped = false;
   const done = new Promise((resolve) => { finish = resolve; });
   load().then(({ wasm, preloaded, url }) => {
+    if (isStopped) {
+      return;
+    }
     worker = new Worker(url);
     worker.onmessage = ({ data }) => {
       if (data.kind === "end") {
@@ -73,6 +81,6 @@ export const runCommand = (words, files, language, onLine) => {
     worker.onerror = (event) => finish({ status: -1, made: [], reason: event.message });
     worker.postMessage({ words, files, wasm, preloaded, language });
   }).catch((error) => finish({ status: -1, made: [], reason: error.message }));
-  return { done, stop: () => { worker?.terminate(); finish({ status: 130, made: [] }); } };
+  return { done, stop: () => { isStopped = true; worker?.terminate(); finish({ status: 130, made: [] }); } };
 };
 

@@ -62,7 +62,7 @@ export const unpack = async (fragment) => {
   } catch {
     refuse("The link is damaged: it holds no scene.");
   }
-  if (!state || typeof state.text !== "string" || !/^[\w-]{1,64}$/.test(state.name) ||
+  if (!state || typeof state.text !== "string" || !/^[\w-]{1,64}(\.nff)?$/.test(state.name) ||
       !(state.view === undefined || typeof state.view === "string")) {
     refuse("The link is damaged: it holds no scene.");
   }

@@ -49,13 +49,20 @@ export const createPanel = (page) => {
     $("made").replaceChildren();
     $("output").textContent = "";
     $("status").textContent = say("running …");
-    await page.later();
+    let isStopped = false;
+    setRunning({ stop: () => { isStopped = true; } });
+    await page.later().catch(() => {}); // A command that needs a missing file says so.
+    if (isStopped) {
+      setRunning(null);
+      $("status").textContent = say("ended with %d").replace("%d", 130);
+      return;
+    }
     const scene = page.scene();
     const words = splitWords($("line").value.replace(/^dioptre\s+/, "")).map((word) => word === "SCENE" ? scene : word);
     let isOnlyUncharted = false;
-    const command = runCommand(words, page.files(), isFrench ? "fr" : "en", (line) => {
-      if (/gnuplot/.test(line)) {
-        isOnlyUncharted = true;
+    const command = runCommand(words, page.files(), isFrench ? "fr" : "en", (line, kind) => {
+      isOnlyUncharted = kind === "err" ? /gnuplot/.test(line) : isOnlyUncharted;
+      if (isOnlyUncharted && kind === "err") {
         line = say("The tables are written. A page has no gnuplot: it draws their charts itself.");
       }
       // A line that replaces itself shows its last state.

@@ -103,7 +103,7 @@ const showScene = (path) => {
   if (faulty) {
     faulty = null;
     openFile(shown); // The program says what is wrong.
-  } else if (opened && path === SCENES + opened.name + ".lua") {
+  } else if (opened && path === fileOf(opened.name)) {
     opened.view && module.ccall("web_set_state", null, ["string"], [opened.view]);
     opened = null;
   }
@@ -155,7 +155,9 @@ const openScene = async (name, later = []) => {
   endEdit();
   $("canvas").focus();
   await Promise.all(later.filter((each) => each.split("/")[0] === name.split("/")[0]).map(fetchFile));
-  openFile(SCENES + name);
+  const path = SCENES + name, text = module.FS.analyzePath(path).exists ? module.FS.readFile(path, { encoding: "utf8" }) : "";
+  await Promise.all(later.filter((each) => text.includes(each.split("/").pop())).map(fetchFile));
+  openFile(path);
 };
 
 const offerDownload = (name, bytes) => {
@@ -187,11 +189,16 @@ const copyText = async (text) => {
   return isCopied;
 };
 
+/** @return The file of a scene. @param name Without the ending of most scenes, .lua. */
+const fileOf = (name) => SCENES + name + (name.endsWith(".nff") ? "" : ".lua");
+
 /** Copies a link to what the window shows. @param view See src/web/state.c. */
 const copyLink = async (view) => {
-  const name = shown.slice(SCENES.length).replace(/\.lua$/, "").replace(/[^\w-]/g, "-").slice(0, 64);
+  const ending = shown.endsWith(".nff") ? ".nff" : "";
+  const name = shown.slice(SCENES.length).replace(/\.(lua|nff)$/, "").replace(/[^\w-]/g, "-").slice(0, 64) + ending;
   try {
-    const fragment = await pack({ name, text: editor.text(), view });
+    const text = editor ? editor.text() : module.FS.readFile(shown, { encoding: "utf8" });
+    const fragment = await pack({ name, text, view });
     history.replaceState(null, "", "#" + fragment);
   } catch (error) {
     showError(error.message);
@@ -325,7 +332,7 @@ const prepare = (later) => (started) => {
     started.FS.mkdirTree(SCENES + folder);
   }
   if (opened) {
-    started.FS.writeFile(SCENES + opened.name + ".lua", opened.text);
+    started.FS.writeFile(fileOf(opened.name), opened.text);
   }
   const named = later.filter((name) => opened && opened.text.includes(name.split("/").pop()));
   if (named.length > 0) {
@@ -365,7 +372,7 @@ const start = async () => {
   files.lessons.forEach((name) => addScene(name, lessons));
   const launch = (scene) => startProgram(parts, {
     canvas: $("canvas"),
-    arguments: ["view", SCENES + scene + ".lua"],
+    arguments: ["view", fileOf(scene)],
     preRun: [prepare(files.later)],
     print: (line) => console.log(line),
     printErr: onError,
@@ -387,7 +394,7 @@ const start = async () => {
     onExit: () => {
       if (opened && !shown && !faulty) {
         // The link's scene is faulty: another is drawn, and its text is there to be mended.
-        faulty = SCENES + opened.name + ".lua";
+        faulty = fileOf(opened.name);
         setTimeout(launch, 0, opened.name === "box" ? "glass-sphere" : "box");
       } else {
         setMessage(say("The program has ended. Reload the page to start it again."));

@@ -6,6 +6,7 @@
 #include "web/description.h"
 
 #include "base/json.h"
+#include "dioptre/scene_words.h"
 
 #include <libintl.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
  */
 #include "dioptre/engine.h"
 #include "view/app.h"
+#include "view/commands/edits.h"
 #include "web/description.h"
 
 #include <SDL.h>

@@ -70,6 +70,16 @@ const testFaulty = async (browser, url, query) => {
   await page.context().close();
 };
 
+/** A scene of the Standard Procedural Databases comes with its own format. */
+const testNff = async (browser, url, query) => {
+  const problems = [], text = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 64 48\nl 3 4 5\nf 1 0.5 0.2 1 0 0 0 0\ns 0 0 0 1\n";
+  const page = await openPage(browser, `${url}${query}#${fragmentOf({ name: "ball.nff", text, view: "" })}`, problems);
+  await page.waitForFunction(() => /shapes: 1 sphere;/.test(document.getElementById("canvas").getAttribute("aria-label")), null, { timeout: PATIENCE });
+  check(await editorText(page) === text && await errorText(page) === "", "a link carries a scene in NFF");
+  check(problems.length === 0, `the console is silent${problems.map((problem) => ": " + problem)}`);
+  await page.context().close();
+};
+
 /** What strangers may send, and a word of the answer. */
 const HOSTILE = {
   "too long": ["A".repeat(70000), /too long/],
@@ -87,6 +97,7 @@ const HOSTILE = {
   "samples without end": [null, /view is left out/, "picture 0 0 16 - 0 0 0 2000000000 0 0 0\n"],
   "an edit of nothing": [null, /view is left out/, "edit sphere 7777 radius 1 0 0\n"],
   "an edit beyond limits": [null, /view is left out/, "edit sphere 1 radius -1 0 0\n"],
+  "edits that are right only alone": [null, /view is left out/, "edit material 1 reflectivity 0.9 0.9 0.9\nedit material 1 transparency 0.9 0.9 0.9\n"],
 };
 
 const testHostile = async (browser, url) => {

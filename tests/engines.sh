@@ -24,6 +24,16 @@ if grep -q avx2 /proc/cpuinfo; then
         same "$work/shapes-$engine.bmp" "$work/shapes-f32x1.bmp" "$engine gives the bits of f32x1 for all shapes"
     done
     same "$work/shapes-f64x4.bmp" "$work/shapes-f64x1.bmp" 'f64x4 gives the bits of f64x1 for all shapes'
+    # Fields whose boxes have no end, or are grazed.
+    for scene in endless-row beside-field; do
+        for engine in f32x8 f32x4 f32x1 f64x4 f64x1; do
+            "$dioptre" render tests/scenes/$scene.lua -o "$work/$scene-$engine.bmp" -s 80x60 --engine $engine
+        done
+        for engine in f32x8 f32x4; do
+            same "$work/$scene-$engine.bmp" "$work/$scene-f32x1.bmp" "$engine gives the bits of f32x1 for $scene"
+        done
+        same "$work/$scene-f64x4.bmp" "$work/$scene-f64x1.bmp" "f64x4 gives the bits of f64x1 for $scene"
+    done
     "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"
     holds "$work/out" '"share_off": (0,|0\.00[0-4]|[0-9.]+e-)' 'float is within a step of quad but at edges'
 else

@@ -140,6 +140,12 @@ holds "$work/out" '^  = ray 4 ' 'its sum'
 [ "$(sed -n 's/.*height="\([0-9]*\).*/\1/p' "$work/ray.svg" | head -1)" = 1110 ] && ok 'formulas below it' || fail 'no formulas below it'
 "$dioptre" probe scenes/glass-sphere.lua 80 60 -s $size --ray 4 --json >"$work/out"
 [ "$(grep -c '^{"id": *4,' "$work/out")" = 1 ] && [ "$(wc -l <"$work/out")" = 1 ] && ok 'one ray as JSON' || fail 'not one ray as JSON'
+# Exactly along a surface, where both cosines of Fresnel's formula are 0.
+echo 'camera { position = {1, 0, 5}, look_at = {1, 0, 0} } sky { horizon = 0.5, zenith = 0.5 }
+sphere { radius = 1, material = material { color = 0, transparency = 1, ior = 0.9999999 } }' >"$work/tangent.lua"
+"$dioptre" probe "$work/tangent.lua" 40 30 -s 81x61 --engine f32x4 >"$work/out"
+grep -q nan "$work/out" && fail 'a tangent ray gives no number' || ok 'a tangent ray gives a number'
+holds "$work/out" '^ *brings back +0.5 +0.5 +0.5' 'and is reflected'
 # A sum that is too long says how many terms it has not: with those shown, one per lamp.
 for lamps in 46 47 48 60; do
     { echo 'camera { position = {0, 1, 4} } plane {}'

@@ -35,7 +35,7 @@ enum { AOV_MAX_SECONDARY = 2 };
 /** The AOVs of one pixel. */
 typedef struct AovSample {
     int shape;                /**< Index of the shape hit first; -1: none. */
-    double distance;          /**< Distance to it, scene units; infinite without a hit. */
+    double distance;          /**< Distance to it, or to a lamp that is seen, scene units; else infinite. */
     double normal[3];         /**< Outward unit normal there; zero without a hit. */
     double uv[2];             /**< Texture coordinates; with #AOV_UV. */
     double color[3];          /**< Radiance, linear; with #AOV_RADIANCE. */
@@ -362,7 +362,8 @@ typedef struct Engine {
      * at once.
      * @param tracer  The tracer, after #set_view.
      * @param grid  The pixels; none may be selected.
-     * @param flags  What is needed besides the first hits: #AOV_RADIANCE, #AOV_STEPS, #AOV_UV.
+     * @param flags  What is needed besides the first hits: #AOV_RADIANCE, #AOV_STEPS, #AOV_UV,
+     *               #AOV_OPERATIONS.
      * @param[out] samples  The variables, row by row.
      * @param[in,out] counts  The rays traced are added to this.
      */

@@ -174,6 +174,7 @@ module.exports = async (browser) => {
   await testRoundTrip(browser, `${url}index.html`, "?one-thread");
   await testFaulty(browser, `${url}index.html`, "");
   await testFaulty(browser, `${url}index.html`, "?one-thread");
+  await testNff(browser, `${url}index.html`, "");
   await testHostile(browser, url);
   await testFrames(browser, url);
   server.close();

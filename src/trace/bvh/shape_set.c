@@ -183,7 +183,7 @@ Aabbd shape_set_bounds(const ShapeSet *set) {
     Aabbd bounds = aabbd_empty();
     for (size_t i = 0; i < set->count; i++) {
         Aabbs box = set->shapes[i]->class->bounds(set->shapes[i]);
-        if (box.high[0] < INFINITE) {
+        if (aabbs_is_bounded(&box)) {
             const scalar *low = box.low, *high = box.high;
             bounds =
                 aabbd_add_point(bounds, (Vec3d){(double)low[0], (double)low[1], (double)low[2]});

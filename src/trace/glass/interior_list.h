@@ -34,7 +34,7 @@ typedef struct Dielectrics {
     ShapeSet opaque;      /**< The opaque shapes. */
     ShapeSet tinted;      /**< The transparent shapes that matter to shadow rays: those that absorb
                                light; all, where one overrides another. */
-    ShapeSet touching;    /**< Those of them that may touch a transparent shape. */
+    ShapeSet touching;    /**< The opaque shapes that may touch a transparent one. */
     const ShapeSet *all;  /**< All shapes; not owned. */
     scalar *offset_scales;  /**< Factors of the ray offset: 1 for air, then of each shape 0 if it is
                                  transparent, #TOUCHING_OFFSET_SCALE if it is in #touching, or 1;

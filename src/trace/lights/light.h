@@ -2,7 +2,7 @@
  * @file
  * @brief Lights in the engine's number type: the abstract class and its vtable.
  *
- * dioptre/light.h describes how to add a kind of light.
+ * doc/design.md describes how to add a kind of light.
  */
 #ifndef DIOPTRE_TRACE_LIGHTS_LIGHT_H
 #define DIOPTRE_TRACE_LIGHTS_LIGHT_H

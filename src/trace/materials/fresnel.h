@@ -30,7 +30,9 @@ typedef struct Refraction {
 INLINE real fresnel_reflectance(real cos_i, real cos_t, real eta_i, real eta_t) {
     real r_perpendicular = (eta_i * cos_i - eta_t * cos_t) / (eta_i * cos_i + eta_t * cos_t);
     real r_parallel = (eta_t * cos_i - eta_i * cos_t) / (eta_t * cos_i + eta_i * cos_t);
-    return (r_perpendicular * r_perpendicular + r_parallel * r_parallel) * (scalar)0.5f;
+    real mean = (r_perpendicular * r_perpendicular + r_parallel * r_parallel) * (scalar)0.5f;
+    // Along the surface on both sides these are 0 / 0; all is reflected in the limit.
+    return real_select(cos_t > 0, mean, real_of(1));
 }
 
 /**

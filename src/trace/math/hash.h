@@ -20,7 +20,7 @@ static inline uint32_t hash_combine_u32(uint32_t a, uint32_t b) {
 }
 
 /** @return A hash of a hash and one more number (Steele, Lea, Flood, *Fast Splittable Pseudorandom
- *          Number Generators*, 2014: splitmix64). */
+ *          Number Generators*, 2014: splitmix64, with one round less). */
 static inline uint64_t hash_combine_u64(uint64_t hash, uint64_t number) {
     uint64_t z = (hash + number + 1) * 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;

@@ -21,12 +21,6 @@ static inline Similarity similarity_identity(void) {
     return (Similarity){false, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, 1};
 }
 
-/** @return A vector in local coordinates. */
-static inline Vec3sw similarity_direction_to_local_s(const Similarity *similarity, Vec3sw v) {
-    return (Vec3sw){vec3sw_dot(similarity->rows[0], v), vec3sw_dot(similarity->rows[1], v),
-                    vec3sw_dot(similarity->rows[2], v)};
-}
-
 /** @return A local vector in world coordinates: the inverse is the transpose times the square of
  * the scale. */
 static inline Vec3sw similarity_direction_to_world_s(const Similarity *similarity, Vec3sw v) {

@@ -41,8 +41,13 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     const real *planes = tracer->box.planes;
     Vec3 origin = vec3_narrow(start);
     real near = zero, far = available;
-    real footprint = sphere_trace_footprint(trace, trace->camera_distance -
-                                                       trace->cell_entry * trace->direction_length);
+    // Only beside a copy in a grid: what is known of a whole field, by which rays are culled, is its
+    // box alone.
+    real footprint =
+        tracer->grid.is_repeated
+            ? sphere_trace_footprint(trace, trace->camera_distance -
+                                                trace->cell_entry * trace->direction_length)
+            : zero;
     slab_clip(&near, &far, planes[0] - footprint, planes[3] + footprint, origin.x,
               trace->inverse_direction.x);
     slab_clip(&near, &far, planes[1] - footprint, planes[4] + footprint, origin.y,

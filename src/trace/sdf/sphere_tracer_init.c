@@ -97,15 +97,6 @@ static scalar aabbs_magnitude(const Aabbs *box) {
     return magnitude;
 }
 
-/** @return A box enlarged on all sides. */
-static Aabbs aabbs_expanded(Aabbs box, scalar by) {
-    for (int axis = 0; axis < 3; axis++) {
-        box.low[axis] -= by;
-        box.high[axis] += by;
-    }
-    return box;
-}
-
 void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, void *memory, Aabbs *bounds) {
     TransformHoist hoist = {sdf, 0, sdf->low, sdf->high};
     *bounds = aabbs_from_corners(sdf->low, sdf->high);
@@ -113,11 +104,12 @@ void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, void *memory, Aabb
     tracer->tolerance = tracer->tolerance > roundings ? tracer->tolerance : roundings;
     // Rays enter the enlarged boxes outside the surface.
     scalar margin = SDF_ERROR_TOLERANCES * (scalar)sdf->bound_slack * tracer->tolerance;
-    *bounds = aabbs_expanded(*bounds, margin);
+    // The box by which rays are culled contains that in the field's own coordinates, rounded.
+    *bounds = aabbs_padded_by_largest(aabbs_enlarged(*bounds, margin));
     tracer->outer = transform_hoist_similarity(&hoist);
     scalar scale = (scalar)tracer->outer.scale;
     Aabbs all = aabbs_from_corners(hoist.low, hoist.high);
-    tracer->grid_box = aabb_splat(aabbs_expanded(all, margin / scale));
+    tracer->grid_box = aabb_splat(aabbs_enlarged(all, margin / scale));
     tracer->grid = transform_hoist_grid(&hoist);
     tracer->inner = similarity_identity();
     if (tracer->grid.is_repeated) {
@@ -127,7 +119,7 @@ void sphere_tracer_init(SphereTracer *tracer, const Sdf *sdf, void *memory, Aabb
     tracer->scale = scale * (scalar)tracer->inner.scale;
     tracer->local_tolerance = tracer->tolerance / tracer->scale;
     Aabbs one = aabbs_from_corners(hoist.low, hoist.high);
-    tracer->box = aabb_splat(aabbs_expanded(one, margin / tracer->scale));
+    tracer->box = aabb_splat(aabbs_enlarged(one, margin / tracer->scale));
     tracer->bound_slack = (scalar)sdf->bound_slack;
     tracer->program =
         sdf_compile(memory, &sdf->nodes[hoist.first_node], sdf->node_count - hoist.first_node);

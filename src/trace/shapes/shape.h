@@ -99,7 +99,7 @@ typedef struct ShapeClass {
     /**
      * Initialises an object. Its base is already filled.
      * @param self        Memory of #size bytes, and #ShapeExtension.tail_size behind.
-     * @param parameters  The parameter struct of the shape (dioptre/shape.h), finished.
+     * @param parameters  The parameter struct of the shape (dioptre/scene.h), finished.
      */
     void (*init)(Shape *self, const void *parameters);
 

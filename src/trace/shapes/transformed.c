@@ -97,7 +97,7 @@ INLINE Vec3w matrix3_apply_transposed(const Matrix3 *m, Vec3w v) {
 /** Computes the bounding sphere in the local space. @param[in,out] self Sets centre and radius. */
 static void transformed_compute_sphere(TransformedShape *self) {
     Aabbs box = self->inner->class->bounds(self->inner);
-    if (box.high[0] == INFINITE) {
+    if (!aabbs_is_bounded(&box)) {
         self->radius = (wide_scalar)INFINITE;
         return;
     }
@@ -128,8 +128,8 @@ static wide_scalar box_extreme_coordinate(Vec3sw row, const scalar low[3], const
 static Aabbs transformed_compute_bounds(const TransformedShape *transformed) {
     const Vec3sw *rows = transformed->to_world.rows;
     Aabbs inner = transformed->inner->class->bounds(transformed->inner);
-    if (inner.high[0] == INFINITE) {
-        return inner;
+    if (!aabbs_is_bounded(&inner)) {
+        return aabbs_infinite(); // It may be turned: no axis keeps its ends.
     }
     Vec3sw corners[2];
     for (int i = 0; i < 2; i++) {

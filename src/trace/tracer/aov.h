@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Recording of arbitrary output variables (AOVs). See dioptre/aov.h.
+ * @brief Recording of arbitrary output variables (AOVs). See dioptre/engine.h.
  *
  * AOVs are recorded for debug views only. Without a recorder, a packet costs one test of a pointer.
  */

@@ -1,6 +1,6 @@
 /**
  * @file
- * @brief Recording of the tree of rays of one pixel. See dioptre/ray_tree.h.
+ * @brief Recording of the tree of rays of one pixel. See dioptre/engine.h.
  *
  * The recorded packet has one ray, in its first lane, and so have the packets of its secondary
  * rays. The current ray is the one that is being traced. Without a recorder, a packet costs a few

@@ -26,7 +26,7 @@ typedef struct SurfaceHit {
     mask may_turn[PACKET_VECTORS];    /**< The rays that may be reflected or refracted there. */
     MaterialIds material_ids[PACKET_VECTORS]; /**< The materials at the points. */
     unsigned traits;              /**< What the materials do, all together: see #MATERIAL_SHINES. */
-    bool is_uniform;              /**< Whether all points have the same material. */
+    bool is_uniform;              /**< Whether all points are on one shape. */
     Vec3 n_front[PACKET_VECTORS]; /**< The normals on the side that the rays come from. */
 } SurfaceHit;
 

@@ -311,6 +311,7 @@ void window_set_lesson_panel(Window *window, const LessonPanel *panel) {
     } else if (window->gui) {
         window_present(window);
     }
+    gui_request_frames(window->gui); // The first frame of another panel lays it out, hidden.
 }
 
 /** @return A change of the toolbar that begins. */

@@ -331,5 +331,6 @@ bool recorder_end(App *app, Error *error) {
                               : error_set(error, STATUS_FAILED, "no memory for a lesson");
     free(recorder->text);
     *recorder = (Recorder){0};
+    gui_request_frames(app->window.gui); // What says that a lesson is recorded goes.
     return is_written;
 }

@@ -34,11 +34,11 @@ enum { AOV_MAX_SECONDARY = 2 };
 
 /** The AOVs of one pixel. */
 typedef struct AovSample {
-    int shape;                /**< Index of the shape hit first; -1: none. */
-    double distance;          /**< Distance to it, or to a lamp that is seen, scene units; else infinite. */
-    double normal[3];         /**< Outward unit normal there; zero without a hit. */
-    double uv[2];             /**< Texture coordinates; with #AOV_UV. */
-    double color[3];          /**< Radiance, linear; with #AOV_RADIANCE. */
+    int shape;        /**< Index of the shape hit first; -1: none. */
+    double distance;  /**< Distance to it, or to a lamp that is seen, scene units; else infinite. */
+    double normal[3]; /**< Outward unit normal there; zero without a hit. */
+    double uv[2];     /**< Texture coordinates; with #AOV_UV. */
+    double color[3];  /**< Radiance, linear; with #AOV_RADIANCE. */
     uint32_t ray_count;       /**< Rays of the pixel, of all kinds; with #AOV_RADIANCE. */
     uint32_t step_count;      /**< Sphere-tracing steps; with #AOV_STEPS. */
     uint64_t operation_count; /**< Operations on distances; with #AOV_OPERATIONS. */

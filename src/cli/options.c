@@ -389,7 +389,7 @@ static bool parse_option(const Command *command, int code, const char *word, Opt
 }
 
 Options options_default(void) {
-    return (Options){.time = NAN,
+    return (Options){.time = (double)NAN,
                      .depth = -1,
                      .ray = -1,
                      .cutoff = -1,

@@ -41,8 +41,8 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     const real *planes = tracer->box.planes;
     Vec3 origin = vec3_narrow(start);
     real near = zero, far = available;
-    // Only beside a copy in a grid: what is known of a whole field, by which rays are culled, is its
-    // box alone.
+    // Only beside a copy in a grid: what is known of a whole field, by which rays are culled, is
+    // its box alone.
     real footprint =
         tracer->grid.is_repeated
             ? sphere_trace_footprint(trace, trace->camera_distance -

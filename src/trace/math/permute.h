@@ -27,6 +27,11 @@ INLINE lane_order lane_order_with(lane_order order, int place, int lane) {
     return order | (lane_order)lane << lane_order_shift(place);
 }
 
+/** @return The lane at a place. */
+INLINE int lane_order_at(lane_order order, int place) {
+    return (int)(order >> lane_order_shift(place) & 15);
+}
+
 /** @return The lanes of an order, as real_permute() reads them: with further bits above. */
 INLINE integer lane_order_unpack(lane_order order) {
     integer shifts = (LANES == 16 ? lane_numbers() >> 1 : lane_numbers()) * 4;

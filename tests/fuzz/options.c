@@ -48,7 +48,7 @@ static void check_options(const Options *options) {
     FUZZ_REQUIRE(is_at_least(options->cutoff, -1) && is_at_least(options->epsilon, -1));
     FUZZ_REQUIRE(is_at_least(options->seconds, -1) && is_at_least(options->fps, 0));
     FUZZ_REQUIRE(is_at_least(options->error, 0) && is_at_least(options->budget, 0));
-    FUZZ_REQUIRE(isfinite(options->time));
+    FUZZ_REQUIRE(isfinite(options_time(options)));
     FUZZ_REQUIRE(options->threshold >= 0 && options->threshold <= UINT8_MAX);
     const FrameRange *frames = &options->frames;
     FUZZ_REQUIRE(frames->first >= 0 && frames->last >= 0 && frames->last <= FRAMES_MAXIMUM);

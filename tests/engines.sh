@@ -25,7 +25,7 @@ if grep -q avx2 /proc/cpuinfo; then
     done
     same "$work/shapes-f64x4.bmp" "$work/shapes-f64x1.bmp" 'f64x4 gives the bits of f64x1 for all shapes'
     # Fields whose boxes have no end, or are grazed.
-    for scene in endless-row beside-field; do
+    for scene in endless-row grazed-field; do
         for engine in f32x8 f32x4 f32x1 f64x4 f64x1; do
             "$dioptre" render tests/scenes/$scene.lua -o "$work/$scene-$engine.bmp" -s 80x60 --engine $engine
         done

@@ -236,7 +236,7 @@ for time in first second; do
     xdotool mousemove --window "$window" 24 24 click 1
     settled
     xdotool mousemove --window "$window" 60 318 click 1
-    [ $time = first ] && expect_shown 'leave again to end it' 'the menu asks before it ends the program'
+    [ $time = first ] && expect_shown 'leave again to save it' 'the menu asks before it ends the program'
 done
 closed 'then it ends it' 0
 

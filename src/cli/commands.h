@@ -13,8 +13,8 @@
 /* The commands; see Command.run. */
 
 void cli_view(const Options *options, Error *error); /**< `view` */
-/** Shows the list of scenes over the first one. @return false without a display or without
- *  scenes: nothing was shown. */
+/** Shows the list of scenes over the first one. @param options The command line, which names no
+ *  scene. @return false without a display or without scenes: nothing was shown. */
 bool cli_browse(const Options *options, Error *error);
 void cli_render(const Options *options, Error *error);  /**< `render` */
 void cli_animate(const Options *options, Error *error); /**< `animate` */

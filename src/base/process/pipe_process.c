@@ -159,7 +159,7 @@ bool pipe_process_write(PipeProcess *program, const void *bytes, size_t size) {
  * @return Its status as of waitpid.
  */
 static int wait_for_exit(PipeProcess *program) {
-    /** Time between two looks: too short to be noticed at the end of a film. */
+    /** Nanoseconds between two looks, 5 ms: too short to be noticed at the end of a film. */
     const struct timespec interval = {.tv_nsec = 5000000};
     int status = 0;
     pid_t ended = 0;

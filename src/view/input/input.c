@@ -175,12 +175,17 @@ static bool handle_help_event(App *app, const SDL_Event *event) {
     return is_key;
 }
 
-void input_handle_event(App *app, const SDL_Event *event) {
+/** Ends what an event ends, whoever uses it: the move of a key, the typing of a caption. */
+static void end_by_event(App *app, const SDL_Event *event) {
     if (event->type == SDL_KEYUP) {
         keyboard_on_release(app, &event->key);
     } else if (event->type == SDL_MOUSEBUTTONDOWN) {
         recorder_accept_caption(app); // What is clicked comes after it in the lesson.
     }
+}
+
+void input_handle_event(App *app, const SDL_Event *event) {
+    end_by_event(app, event);
     if (handle_widget_event(app, event) || recorder_handle_caption_event(app, event) ||
         handle_browser_event(app, event) || handle_help_event(app, event)) {
         return;

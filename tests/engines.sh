@@ -6,34 +6,35 @@ shapes=tests/peers/shapes.lua
 
 draw() { "$dioptre" render "$box" -o "$work/$1.bmp" -s 96x72 --samples 2 --engine "$1"; }
 draw_shapes() { "$dioptre" render "$shapes" -o "$work/shapes-$1.bmp" -s 192x144 --samples 2 --engine "$1"; }
-if grep -q avx2 /proc/cpuinfo; then
-    for engine in f32x8 f32x4 f32x1 f64x4 f64x1 f128x1; do
-        draw $engine && ok "$engine draws the box" || fail "$engine draws the box"
+
+# same_bits WORDS SCENE OPTION...: engines of one number draw the same picture.
+same_bits() {
+    what=$1
+    shift
+    for engine in $singles f64x4 f64x1; do
+        "$dioptre" render "$@" -o "$work/bits-$engine.bmp" --engine $engine || fail "$engine draws $what"
     done
-    same "$work/f32x8.bmp" "$work/f32x1.bmp" 'f32x8 gives the bits of f32x1'
+    for engine in $singles; do
+        [ $engine = f32x1 ] ||
+            same "$work/bits-$engine.bmp" "$work/bits-f32x1.bmp" "$engine gives the bits of f32x1 for $what"
+    done
+    same "$work/bits-f64x4.bmp" "$work/bits-f64x1.bmp" "f64x4 gives the bits of f64x1 for $what"
+}
+
+if grep -q avx2 /proc/cpuinfo; then
+    singles='f32x8 f32x4 f32x1'
     if grep -q avx512dq /proc/cpuinfo; then
-        draw f32x16 && ok 'f32x16 draws the box' || fail 'f32x16 draws the box'
-        same "$work/f32x16.bmp" "$work/f32x1.bmp" 'f32x16 gives the bits of f32x1'
+        singles="f32x16 $singles"
     else
         echo 'skipped f32x16: this processor has no AVX-512'
     fi
-    same "$work/f64x4.bmp" "$work/f64x1.bmp" 'f64x4 gives the bits of f64x1'
-    # The shapes that the box lacks.
-    for engine in f32x8 f32x4 f32x1 f64x4 f64x1; do draw_shapes $engine; done
-    for engine in f32x8 f32x4; do
-        same "$work/shapes-$engine.bmp" "$work/shapes-f32x1.bmp" "$engine gives the bits of f32x1 for all shapes"
-    done
-    same "$work/shapes-f64x4.bmp" "$work/shapes-f64x1.bmp" 'f64x4 gives the bits of f64x1 for all shapes'
-    # Fields whose boxes have no end, or are grazed.
-    for scene in endless-row grazed-field; do
-        for engine in f32x8 f32x4 f32x1 f64x4 f64x1; do
-            "$dioptre" render tests/scenes/$scene.lua -o "$work/$scene-$engine.bmp" -s 80x60 --engine $engine
-        done
-        for engine in f32x8 f32x4; do
-            same "$work/$scene-$engine.bmp" "$work/$scene-f32x1.bmp" "$engine gives the bits of f32x1 for $scene"
-        done
-        same "$work/$scene-f64x4.bmp" "$work/$scene-f64x1.bmp" "f64x4 gives the bits of f64x1 for $scene"
-    done
+    same_bits 'the box' "$box" -s 96x72 --samples 2
+    same_bits 'the shapes that the box lacks' "$shapes" -s 192x144 --samples 2
+    same_bits 'a field without end' tests/scenes/endless-row.lua -s 80x60
+    same_bits 'a field that rays graze' tests/scenes/grazed-field.lua -s 80x60
+    same_bits 'fields that cross, in few steps' tests/scenes/few-steps.lua -s 200x150
+    draw f32x8
+    draw f128x1 && ok 'f128x1 draws the box' || fail 'f128x1 draws the box'
     "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"
     holds "$work/out" '"share_off": (0,|0\.00[0-4]|[0-9.]+e-)' 'float is within a step of quad but at edges'
 else

@@ -488,6 +488,66 @@ static void test_same_bits(void **state) {
     for_every_engine(check_lane_widths);
 }
 
+/* --- the order of hits ------------------------------------------------------------------------ */
+
+/** @return A scene with surfaces of two coarse fields that cross, or with one of them.
+ *  @param which Bits: 1: a torus; 2: a box. */
+static Scene *crossing_fields(int which, int max_steps) {
+    Scene *scene = create_empty_scene();
+    for (int i = 0; i < 2; i++) {
+        Sdf *field = i == 0
+                         ? make_sdf("torus", (double[]){1, 0.4})
+                         : translate_sdf(make_sdf("box", (double[]){0.9, 0.3, 0.9}), 0.1, 0.2, 0);
+        if (which & 1 << i) {
+            add_sdf(scene, (SdfShapeParameters){field, .tolerance = 0.05, .max_steps = max_steps});
+        }
+        free(field);
+    }
+    return scene;
+}
+
+/** A ray meets the nearer of two surfaces, where it meets that surface without the other: what was
+ *  hit before does not change its path, though the tolerance is coarse or the steps are few. */
+static void check_crossing_fields(const Engine *engine) {
+    enum { COUNT = 32768 };
+    static const int limits[] = {4, 6, 8, 512};
+    static RayQuery rays[COUNT];
+    static int shapes[3][COUNT];
+    static double distances[3][COUNT];
+    uint64_t seed = 9;
+    for (int i = 0; i < COUNT; i++) {
+        RayQueryQuad ray = random_ray(&(TwinTracers){.size = 3}, &seed);
+        for (int axis = 0; axis < 3; axis++) {
+            rays[i].origin[axis] = (double)ray.origin[axis];
+            rays[i].direction[axis] = (double)ray.direction[axis];
+        }
+    }
+    for (size_t limit = 0; limit < sizeof limits / sizeof limits[0]; limit++) {
+        const long count = ray_count_for(engine, COUNT);
+        for (int which = 1; which <= 3; which++) {
+            Scene *scene = crossing_fields(which, limits[limit]);
+            Tracer *tracer = create_tracer(engine, scene);
+            scene_destroy(scene);
+            engine->closest_hits(tracer, (size_t)count, rays, shapes[which - 1],
+                                 distances[which - 1]);
+            engine->destroy(tracer);
+        }
+        for (long i = 0; i < count; i++) {
+            bool is_torus =
+                shapes[0][i] >= 0 && (shapes[1][i] < 0 || distances[0][i] <= distances[1][i]);
+            int shape = is_torus ? 0 : shapes[1][i] >= 0 ? 1 : -1;
+            assert_int_equal(shapes[2][i], shape);
+            assert_true(shape < 0 || distances[2][i] == distances[shape][i]);
+        }
+    }
+}
+
+/** @param state Not used. */
+static void test_order_of_hits(void **state) {
+    (void)state;
+    for_every_engine(check_crossing_fields);
+}
+
 /* --- the footprint of pixels ------------------------------------------------------------------ */
 
 /**
@@ -583,8 +643,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_twins),          cmocka_unit_test(test_offset_rays),
         cmocka_unit_test(test_rays_in_sponge), cmocka_unit_test(test_mandelbulb_powers),
-        cmocka_unit_test(test_same_bits),      cmocka_unit_test(test_footprint),
-        cmocka_unit_test(test_step_limit),
+        cmocka_unit_test(test_same_bits),      cmocka_unit_test(test_order_of_hits),
+        cmocka_unit_test(test_footprint),      cmocka_unit_test(test_step_limit),
     };
     return cmocka_run_group_tests_name("marching", tests, NULL, NULL);
 }

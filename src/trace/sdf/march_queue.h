@@ -26,9 +26,9 @@ enum { MARCH_QUEUE_ROOMS = COLUMN_ROOMS(3 * LANES) };
 
 /** What changes in steps inside a box, and what these need. */
 #define MARCH_BOX_NUMBERS(NUMBER, VECTOR)                                                          \
-    NUMBER(ray) VECTOR(origin) VECTOR(unit_direction) NUMBER(t_end) NUMBER(camera_ahead)           \
-    NUMBER(leaving) NUMBER(side) NUMBER(t) NUMBER(step) NUMBER(radius) NUMBER(slope)               \
-    NUMBER(best_t) NUMBER(best_radius) NUMBER(steps)
+    NUMBER(ray) VECTOR(origin) VECTOR(unit_direction) NUMBER(t_end) NUMBER(t_limit)                \
+    NUMBER(camera_ahead) NUMBER(leaving) NUMBER(side) NUMBER(t) NUMBER(step) NUMBER(radius)        \
+    NUMBER(slope) NUMBER(steps)
 
 /** The same for the cells of a grid. */
 #define MARCH_GRID_NUMBERS(NUMBER, VECTOR)                                                         \

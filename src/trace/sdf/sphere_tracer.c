@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/** A ray that reaches the step limit has a hit if it came within so many tolerances. */
+/** A ray that reaches the step limit has a hit if it is within so many tolerances there. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
 /** Weight of the last step in #SphereTrace.slope. */
 #define SLOPE_SMOOTHING ((scalar)0.4f)
@@ -32,15 +32,17 @@ INLINE real vec3_length_in_range(Vec3 v) {
  * Intersects rays with the bounding box in their cells.
  * @param[in,out] trace  The rays; those that meet the box are moved to its entry.
  * @param start          Points of entry into the cells, in the coordinates of the program.
- * @param available      Distances to the end of the cells, in lengths of the direction.
- * @return The lanes that meet the box.
+ * @param cell_length    Distances to the end of the cells, in lengths of the direction.
+ * @return The lanes that meet the box before their limit.
  */
 INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trace, mask lanes,
-                                   Vec3w start, real available) {
+                                   Vec3w start, real cell_length) {
     const real zero = real_of(0), none = real_of(INFINITE);
     const real *planes = tracer->box.planes;
     Vec3 origin = vec3_narrow(start);
-    real near = zero, far = available;
+    real near = zero, far = cell_length;
+    // Rounded up: at worst, a ray makes a step in vain.
+    real limit = trace->limit * (1 + SLAB_SLACK) - trace->cell_entry;
     // Only beside a copy in a grid: what is known of a whole field, by which rays are culled, is
     // its box alone.
     real footprint =
@@ -54,7 +56,8 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
               trace->inverse_direction.y);
     slab_clip(&near, &far, planes[2] - footprint, planes[5] + footprint, origin.z,
               trace->inverse_direction.z);
-    mask enters = lanes & (near <= far * (1 + SLAB_SLACK)) & (near < none);
+    mask is_in_reach = (near <= limit) & (near < none);
+    mask enters = lanes & (near <= far * (1 + SLAB_SLACK)) & is_in_reach;
     origin = vec3_narrow(vec3w_add_scaled(start, trace->local_direction, widen(near)));
     real traveled = (trace->cell_entry + near) * trace->direction_length;
     // A ray that starts on the surface starts in the box or just beside it.
@@ -66,12 +69,12 @@ INLINE mask sphere_trace_enter_box(const SphereTracer *tracer, SphereTrace *trac
     trace->box_entry = real_select(enters, near, trace->box_entry);
     trace->origin = vec3_select(enters, origin, trace->origin);
     trace->t_end = real_select(enters, (far - near) * trace->direction_length, trace->t_end);
+    trace->t_limit = real_select(enters, (limit - near) * trace->direction_length, trace->t_limit);
     trace->leaving = trace->leaving & mask_not(enters & (traveled > margin));
     trace->t = real_select(enters, zero, trace->t);
     trace->step = real_select(enters, zero, trace->step);
     trace->radius = real_select(enters, zero, trace->radius);
     trace->slope = real_select(enters, real_of(-1), trace->slope);
-    trace->best_radius = real_select(enters, none, trace->best_radius);
     return enters;
 }
 
@@ -125,7 +128,7 @@ INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *tra
     real t_exit = grid_walk_nearest_exit(grid_walk_exits(&trace->walk, trace->cell));
     Vec3w start = sphere_trace_cell_start(tracer, trace);
     mask enters = sphere_trace_enter_box(tracer, trace, trace->entering, start,
-                                         real_min(t_exit, trace->limit) - trace->cell_entry);
+                                         t_exit - trace->cell_entry);
     trace->stepping = trace->stepping | enters;
     trace->seeking = trace->seeking | (trace->entering & mask_not(enters));
     trace->entering = mask_of(false);
@@ -205,14 +208,15 @@ INLINE bool sphere_trace_begin(const SphereTracer *tracer, const Ray *ray, mask 
     trace->seeking = trace->entering = trace->arrived = mask_of(false);
     trace->leaving = mask_of(true);
     trace->side = real_of(1);
-    trace->cell_entry = trace->box_entry = trace->t = trace->best_t = trace->steps = zero;
+    trace->cell_entry = trace->box_entry = trace->t = trace->steps = zero;
     trace->cell = (Vec3){zero, zero, zero};
     sphere_trace_set_direction(trace, &local);
     trace->stepping = active & (trace->direction_length > 0) & (trace->direction_length < INFINITE);
     if (tracer->grid.is_repeated) {
         sphere_trace_enter_grid(tracer, trace, &local);
     } else {
-        trace->stepping = sphere_trace_enter_box(tracer, trace, trace->stepping, start, limit);
+        trace->stepping =
+            sphere_trace_enter_box(tracer, trace, trace->stepping, start, real_of(INFINITE));
     }
     return any(trace->stepping | trace->entering);
 }
@@ -263,9 +267,6 @@ INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolera
     mask is_over = (radius + trace->radius < trace->step) & (trace->step > trace->radius);
     mask counts = trace->stepping & mask_not(trace->leaving | is_over);
     mask arrives = counts & (radius <= tolerance);
-    mask is_better = counts & (radius < trace->best_radius);
-    trace->best_radius = real_select(is_better, radius, trace->best_radius);
-    trace->best_t = real_select(is_better, trace->t, trace->best_t);
     trace->arrived = trace->arrived | arrives;
     trace->stepping = trace->stepping & mask_not(arrives);
     trace->slope = sphere_trace_slope(trace, radius, is_over);
@@ -277,12 +278,13 @@ INLINE mask sphere_trace_evaluate(SphereTrace *trace, real distance, real tolera
 /**
  * Steps forwards, or back to the end of a safe step.
  * @param is_over  Lanes that step back.
- * @return Lanes that have left the box.
+ * @return Lanes that have left the box or passed their limit.
  */
 INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace, mask is_over) {
     real radius = trace->radius, left = trace->t_end - trace->t;
-    // If the safe step leaves the box, there is no hit in it.
-    mask stays = is_over | (radius <= left);
+    // If the safe step leaves the box, there is no hit in it; if it passes the limit, none before
+    // that. The limit changes no step: the path does not depend on what the ray has hit before.
+    mask stays = is_over | (radius <= real_min(left, trace->t_limit - trace->t));
     // For a constant slope s, spheres of radius r and r + s x touch at x = 2 r / (1 - s).
     real relaxed =
         tracer->relaxation > 0 ? radius * tracer->relaxation : 2 * radius / (1 - trace->slope);
@@ -296,16 +298,17 @@ INLINE mask sphere_trace_advance(const SphereTracer *tracer, SphereTrace *trace,
     return trace->stepping & mask_not(stays);
 }
 
-/** Ends rays: those that came near enough have a hit, the others none. @param exhausted Those that
- *  have reached the step limit, in a box or in search of one. @return Number of those without hit.
- */
+/** Ends rays: those that are near enough have a hit at the end of their safe step, the others none.
+ *  @param exhausted Those that have reached the step limit, in a box or in search of one. @return
+ *  Number of those without hit. */
 INLINE unsigned sphere_trace_give_up(const SphereTracer *tracer, SphereTrace *trace,
                                      mask exhausted) {
-    Vec3 point = sphere_trace_point(trace, trace->best_t);
-    real near = SPHERE_TRACE_CANDIDATE_TOLERANCES *
-                sphere_trace_tolerance(tracer, trace, trace->best_t, point);
-    mask is_near = exhausted & trace->stepping & (trace->best_radius <= near);
-    trace->t = real_select(is_near, trace->best_t, trace->t);
+    real t = trace->t - trace->step + trace->radius;
+    Vec3 point = sphere_trace_point(trace, t);
+    real near = SPHERE_TRACE_CANDIDATE_TOLERANCES * sphere_trace_tolerance(tracer, trace, t, point);
+    mask has_left = mask_not(trace->leaving) & (trace->step > 0);
+    mask is_near = exhausted & trace->stepping & has_left & (trace->radius <= near);
+    trace->t = real_select(is_near, t, trace->t);
     trace->arrived = trace->arrived | is_near;
     trace->stepping = trace->stepping & mask_not(exhausted);
     trace->seeking = trace->seeking & mask_not(exhausted);

@@ -59,7 +59,8 @@ typedef struct SphereTrace {
     real cell_entry;        /**< Distance to the cell, in lengths of the direction. */
     real box_entry;         /**< Distance from there to the box, in lengths of the direction. */
     Vec3 origin;            /**< Point of entry into the box, or origin inside it. */
-    real t_end;             /**< Distance from #origin to the exit or to the limit. */
+    real t_end;             /**< Distance from #origin to the exit. */
+    real t_limit;           /**< Distance from #origin to the limit. */
     real camera_distance;   /**< Distance of the camera from the origin of the ray. */
     real camera_ahead;      /**< What is left of it at #origin. */
     scalar spread;          /**< See #Footprint. */
@@ -75,8 +76,6 @@ typedef struct SphereTrace {
     real t;                 /**< Distance from #origin. */
     real step;              /**< Last step. */
     real radius;            /**< Distance of the field before the last step. */
-    real best_radius;       /**< Smallest distance of the field so far. */
-    real best_t;            /**< #t at that distance. */
 } SphereTrace;
 
 /**

@@ -49,19 +49,21 @@ static bool sdf_shape_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCa
 /* --- hits ------------------------------------------------------------------------------------- */
 
 /** Moves hits along their rays to the surface by one Newton step, of a few tolerances at most, and
- *  only where it decreases the distance. @param[in,out] sample The field at the hits. */
+ *  only where it decreases the distance. It goes forwards: a ray whose limit lies just before the
+ *  hit has ended there, and must not miss what a ray without limit hits. @param[in,out] sample The
+ *  field at the hits. */
 INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, SdfSample *sample,
                                 real tolerance) {
     real slope = vec3_dot(sample->gradient, trace->unit_direction);
     real change = -sample->distance / slope;
-    mask is_small =
-        trace->arrived & (real_abs(change) <= SPHERE_TRACE_REFINE_TOLERANCES * tolerance);
+    mask is_small = trace->arrived & (change > 0) &
+                    (change <= SPHERE_TRACE_REFINE_TOLERANCES * tolerance);
     if (!any(is_small)) {
         return;
     }
     real t = real_select(is_small, trace->t + change, trace->t);
     SdfSample refined = sdf_sample(&tracer->program, sphere_trace_point(trace, t), trace->arrived);
-    mask is_nearer = is_small & (real_abs(refined.distance) < real_abs(sample->distance)) & (t > 0);
+    mask is_nearer = is_small & (real_abs(refined.distance) < real_abs(sample->distance));
     trace->t = real_select(is_nearer, t, trace->t);
     sample->distance = real_select(is_nearer, refined.distance, sample->distance);
     sample->gradient = vec3_select(is_nearer, refined.gradient, sample->gradient);

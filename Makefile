@@ -304,7 +304,7 @@ test: test-packages
 	@$(MAKE) --no-print-directory tsan
 	@tests/run.sh
 
-tests: $(TESTS) $(BUILD)/tests/faults.so $(CATALOGUES)
+tests: $(TESTS) $(BUILD)/tests/faults.so $(BUILD)/tests/spd_hits $(BUILD)/tests/picture_probe $(CATALOGUES)
 
 # Makes calls to the system fail; never linked, but preloaded.
 $(BUILD)/tests/faults.so: tests/faults/faults.c $(FLAGS)

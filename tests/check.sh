@@ -7,6 +7,9 @@ BUILD=${BUILD:-build}
 dioptre=$PWD/${DIOPTRE:-$BUILD/dioptre}
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work" 2>/dev/null; rm -rf "$work"' EXIT
+# Some shells do not run the line above for a signal: a test that is stopped leaves through it, too.
+trap 'exit 130' INT
+trap 'exit 143' TERM
 failures=0
 
 # ok NAME / fail NAME: one line a check.
@@ -42,6 +45,16 @@ holds() {
 # same A B NAME: two files must be the same, byte for byte.
 same() {
     if cmp -s "$1" "$2"; then ok "$3"; else fail "$3: $1 and $2 differ"; fi
+}
+
+# differing A B NAME: two files must differ. A file that cannot be read does not.
+differing() {
+    cmp -s "$1" "$2"
+    case $? in
+    0) fail "$3: $1 and $2 are the same" ;;
+    1) ok "$3" ;;
+    *) fail "$3: no $1 or no $2" ;;
+    esac
 }
 
 # within COMMAND...: waits until a command succeeds: for an event, however slow the machine is. Two minutes

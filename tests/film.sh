@@ -13,7 +13,7 @@ expect 0 '' 'numbered frames' film --seconds 0.2 -o one/%05d.bmp
 [ "$(ls one)" = "$(printf '%05d.bmp\n' 0 1 2 3 4)" ] && ok '0.2 s at 25 a second are frames 0 to 4' || fail "frames: $(ls one)"
 "$dioptre" render "$orbits" $small -t 0.12 -o render.bmp
 same one/00003.bmp render.bmp 'a frame is what render draws at its time'
-cmp -s one/00000.bmp one/00003.bmp && fail 'things move' || ok 'things move'
+differing one/00000.bmp one/00003.bmp 'things move'
 expect 0 '' 'frames by one thread, backwards' film --frames 4-0:-2 -j 1 -o two/%05d.bmp
 expect 0 '' 'and the others, by two' film --frames 1-3:2 -j 2 -o two/%05d.bmp
 expect 0 '' 'two sets of frames' diff -r one two

@@ -5,7 +5,7 @@
 
 command -v gappa >/dev/null || {
     fail 'gappa is missing: sudo apt-get install gappa'
-    finish
+    exit 1
 }
 shapes=src/trace/shapes
 

@@ -20,7 +20,8 @@ for po in src/po/*.po; do
     empty "$work/out" "$po has nothing that is gone"
 done
 # A no-break space is shown as ~: it belongs before : ; ? ! % and within « ».
-msgcat --no-wrap src/po/fr.po | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
+# Lines of one message are joined.
+msgcat --no-wrap src/po/fr.po | sed -z 's/"\n"//g' | sed '1,/^$/d; s/\xC2\xA0/~/g; s/dioptre: //; s/%z*[sdu]: *//g' | grep '^msgstr' >"$work/french"
 grep -E "( |^\")[;:?!]( |\"|\\\\n)|[^~ .][;?!]( |\"|\\\\n)|[a-z]:( |\")|'%[0-9]*s'|« | »" "$work/french" >"$work/out"
 { grep -E '%[0-9.]*[a-z]+ %%' "$work/french"; grep -nE '\bfr = ".*[0-9] %' scenes/*.lua scenes/lessons/*.lua; } >>"$work/out"
 empty "$work/out" 'French signs have their no-break space'
@@ -42,6 +43,7 @@ for command in '' view render animate probe info compare bench needs chart lab; 
     "$dioptre" $command --help | sort -u >"$work/a"
     # shellcheck disable=SC2086
     in_french "$dioptre" $command --help | sort -u >"$work/b"
+    [ "$(wc -l <"$work/a")" -gt 5 ] && [ "$(wc -l <"$work/b")" -gt 5 ] || fail "dioptre $command --help says nothing"
     comm -12 "$work/a" "$work/b" | grep -v '^$' >"$work/out"
     empty "$work/out" "dioptre $command --help has no line that is not French"
 done

@@ -197,7 +197,7 @@ press "home"
 caption { en = "Back", wait = true }
 END
 shots "$work/explained.lua" "$work/explained"
-cmp -s "$work/explained/explained-0001.bmp" "$work/explained/explained-0002.bmp" && fail "explained after the view was reset" || ok "explained before the view is reset"
+differing "$work/explained/explained-0001.bmp" "$work/explained/explained-0002.bmp" 'explained before the view is reset'
 last=$(view_of "$(tail -1 "$work/right/views")")
 with_bar=1 open "$work/asks.lua" --answers "$work/by-hand.csv"
 xdotool key space d && sleep 0.2 # Neither goes on, nor moves the light.

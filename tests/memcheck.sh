@@ -22,6 +22,12 @@ checked() {
 # not selected cancels out.
 engines='f32x1 f64x1'
 grep -qw avx2 /proc/cpuinfo && engines='f32x8 f64x1'
+cat >"$work/glass.lua" <<'EOF'
+camera { position = {0, 1, 5} }
+rectangle_light {}
+plane {}
+sphere { center = {0, 1, 0}, material = material { transparency = 0.9, ior = 1.5 } }
+EOF
 # shellcheck disable=SC2086 # words
 for engine in $engines; do
     "$dioptre" render scenes/box.lua $small --engine $engine -o "$work/plain.bmp"
@@ -29,6 +35,8 @@ for engine in $engines; do
     same "$work/plain.bmp" "$work/checked.bmp" "$engine: the same bits under valgrind"
     checked "a Mandelbulb, $engine" render scenes/mandelbulb.lua $small --engine $engine -o "$work/bulb.bmp"
     checked "a repeated field, $engine" render scenes/endless-frames.lua $small --engine $engine -o "$work/field.bmp"
+    checked "glass, a light with an area and all methods, $engine" render "$work/glass.lua" $small --samples 2 --engine $engine --methods d \
+        -o "$work/glass.bmp"
 done
 printf 'camera { position = {0, 0, 5} }\nlight {}\nmesh { file = "die.obj" }\n' >"$work/model.lua"
 cp scenes/models/die.obj "$work/"

@@ -15,8 +15,10 @@ ray_sums() {
     sed 's/[][{}",:]/ /g; s/null/-1/g' | awk '
         function three(name, to, i) {
             for (i = 1; i <= NF && $i != name; i++);
+            if (i + 3 > NF) wrong = 1
             to[id, 1] = $(i+1); to[id, 2] = $(i+2); to[id, 3] = $(i+3)
         }
+        { for (i = 6; i <= NF; i++) if ($i ~ /nan|inf/) wrong = 1 }
         { id = $2; parent[id] = $4; kind[id] = $6; three("color", color); three("own", own); three("share", share) }
         id == 0 { three("merged", sum) }
         END {
@@ -25,6 +27,7 @@ ray_sums() {
                 worst = off > worst ? off : -off > worst ? -off : worst
                 if (kind[i] != "shadow") sum[parent[i], c] += share[i, c] * color[i, c]
             }
+            if (NR == 0 || wrong) worst = "no rays, or none with numbers"
             print worst < 1e-6 ? "adds up" : "off by " worst, NR
         }'
 }

@@ -18,7 +18,7 @@ if [ "${1:-}" = --one ]; then
     # shellcheck disable=SC2086 # a command and its environment
     if timeout 600 env $2 >"$log" 2>&1 </dev/null; then
         echo "ok $2 ($(($(date +%s) - start)) s)" >"$log.result"
-        grep -E '^(worst errors|  [a-z ]+ f[0-9]+x|skipped)' "$log" >>"$log.result"
+        grep -E '^(worst errors|  [a-z ]+ f[0-9]+x|skipped|\[  SKIPPED \] test)' "$log" >>"$log.result"
     else
         echo "not ok $2 ($(($(date +%s) - start)) s)" | cat - "$log" >"$log.result"
     fi

@@ -24,7 +24,7 @@ settled
 cp "$work/a.ppm" "$work/plain.ppm"
 xdotool key f
 settled
-cmp -s "$work/plain.ppm" "$work/a.ppm" && fail 'f opens a list' || ok 'f opens a list'
+differing "$work/plain.ppm" "$work/a.ppm" 'f opens a list'
 cp "$work/a.ppm" "$work/list.ppm"
 xdotool key Escape
 settled

@@ -11,8 +11,8 @@ ok() {
 }
 box=$root/scenes/box.lua
 [[ $BUILD = /* ]] && dioptre=$BUILD/dioptre
-probe=${PROBE:-$root/build/tests/picture_probe}
-[ -x "$probe" ] || make -s build/tests/picture_probe || exit 1
+probe=$root/$BUILD/tests/picture_probe
+[[ $BUILD = /* ]] && probe=$BUILD/tests/picture_probe
 
 # --- measuring -----------------------------------------------------------------------------------
 # numbers PART: position of the camera or of the first or second light in `view`.
@@ -62,7 +62,7 @@ lights() {
     moves "$1: $7 light nearer" light 3 + white 2 + hold 0.2 "$7"
 }
 # differ A B NAME: two of them must not be the same.
-differ() { cmp -s "$work/$1.ppm" "$work/$2.ppm" && fail "$3" || ok "$3"; }
+differ() { differing "$work/$1.ppm" "$work/$2.ppm" "$3"; }
 # ticks: processor time of the program so far, in hundredths of a second.
 ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }
 # still SECONDS NAME: the program must use no processor time.
@@ -107,7 +107,7 @@ shoot
 expect 0 '' 'the printed view is scene text' "$dioptre" render "$work/pasted.lua" -o "$work/pasted.bmp"
 expect 0 '' 'a snapshot equals render of the printed view' \
     "$dioptre" compare "$shot" "$work/pasted.bmp" --threshold 0
-cmp -s "$shot" "$first" && fail 'moving shows in the snapshot' || ok 'moving shows in the snapshot'
+differing "$shot" "$first" 'moving shows in the snapshot'
 xdotool key Home
 shoot
 same "$shot" "$first" 'Home goes back to the very first picture'

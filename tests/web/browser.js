@@ -72,8 +72,10 @@ const pixels = (page) => page.evaluate(async () => {
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 /** Waits until the window stays as it is. @return A hash of its pixels. */
 const settled = async (page) => {
+  const end = Date.now() + PATIENCE;
   let last = null, now = await pixels(page);
   while (last !== now) {
+    if (Date.now() > end) throw new Error(`the window has not settled within ${PATIENCE} ms`);
     last = now;
     await pause(1500);
     now = await pixels(page);

@@ -127,8 +127,8 @@ INLINE void sphere_trace_seek_cell(const SphereTracer *tracer, SphereTrace *trac
 INLINE void sphere_trace_enter_copy(const SphereTracer *tracer, SphereTrace *trace) {
     real t_exit = grid_walk_nearest_exit(grid_walk_exits(&trace->walk, trace->cell));
     Vec3w start = sphere_trace_cell_start(tracer, trace);
-    mask enters = sphere_trace_enter_box(tracer, trace, trace->entering, start,
-                                         t_exit - trace->cell_entry);
+    mask enters =
+        sphere_trace_enter_box(tracer, trace, trace->entering, start, t_exit - trace->cell_entry);
     trace->stepping = trace->stepping | enters;
     trace->seeking = trace->seeking | (trace->entering & mask_not(enters));
     trace->entering = mask_of(false);

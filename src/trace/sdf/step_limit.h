@@ -7,8 +7,8 @@
 
 #include <stdint.h>
 
-/** Counts rays that found neither a surface nor their end within the step limit. A hit before ends a
- *  ray earlier, so the number depends on the order of tests; pictures do not. Thread-safe. */
+/** Counts rays that found neither a surface nor their end within the step limit. A hit before ends
+ * a ray earlier, so the number depends on the order of tests; pictures do not. Thread-safe. */
 typedef struct StepLimitCounter {
     uint64_t count; /**< Number of rays. */
 } StepLimitCounter;

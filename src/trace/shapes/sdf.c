@@ -56,8 +56,8 @@ INLINE void sphere_trace_refine(const SphereTracer *tracer, SphereTrace *trace, 
                                 real tolerance) {
     real slope = vec3_dot(sample->gradient, trace->unit_direction);
     real change = -sample->distance / slope;
-    mask is_small = trace->arrived & (change > 0) &
-                    (change <= SPHERE_TRACE_REFINE_TOLERANCES * tolerance);
+    mask is_small =
+        trace->arrived & (change > 0) & (change <= SPHERE_TRACE_REFINE_TOLERANCES * tolerance);
     if (!any(is_small)) {
         return;
     }

@@ -90,6 +90,8 @@ static bool scene_loader_start(SceneLoader *loader, Error *error) {
         pthread_cond_init(&loader->condition, NULL);
         int code = ray_thread_create(&loader->thread, scene_loader_main, loader);
         if (code != 0) {
+            pthread_cond_destroy(&loader->condition);
+            pthread_mutex_destroy(&loader->mutex);
             return error_set(error, STATUS_FAILED, "cannot start a thread: %s",
                              error_errno_text(code));
         }

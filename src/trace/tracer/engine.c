@@ -106,7 +106,8 @@ static Tracer *tracer_create(const Scene *scene, Vec3d origin, const TraceSettin
         engine_destroy_tracer(tracer);
         return NULL;
     }
-    // The reports trace by rules of their own. Without memory the recursion gives the same picture.
+    // The reports trace by rules of their own. Without memory the recursion traces all rays; what
+    // merged rays would find is estimated there, and counted as unresolved.
     bool has_wavefronts = tracer->dielectrics.iors && tracer->depth > 0 && !tracer->methods;
     tracer->wavefronts = has_wavefronts ? wavefront_pool_create() : NULL;
     return tracer;

@@ -229,7 +229,7 @@ void trace_tile(const Tracer *tracer, const PixelGrid *grid, double *rgb, RayCou
     // Recorders identify rays by their lanes.
     bool has_wavefront = tracer->wavefronts && !grid->path_hashes && !grid->ray_tree;
     Wavefront *wavefront = has_wavefront ? wavefront_pool_take(tracer->wavefronts) : NULL;
-    // Without memory for wavefronts, the recursion gives the same picture more slowly.
+    // Without memory for wavefronts, the recursion does the same more slowly, but for merged rays.
     if (wavefront) {
         trace_tile_wavefronts(tracer, grid, wavefront, rgb, counts);
         wavefront_pool_give_back(tracer->wavefronts, wavefront);

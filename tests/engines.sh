@@ -33,6 +33,10 @@ if grep -q avx2 /proc/cpuinfo; then
     same_bits 'a field without end' tests/scenes/endless-row.lua -s 80x60
     same_bits 'a field that rays graze' tests/scenes/grazed-field.lua -s 80x60
     same_bits 'fields that cross, in few steps' tests/scenes/few-steps.lua -s 200x150
+    for methods in a c d; do
+        same_bits "method $methods far from a sphere" tests/scenes/far-sphere.lua -s 160x120 --methods $methods
+    done
+    same_bits 'the list of report D' tests/scenes/turns-used-up.lua -s 32x24 --methods d
     draw f32x8
     draw f128x1 && ok 'f128x1 draws the box' || fail 'f128x1 draws the box'
     "$dioptre" compare "$work/f32x8.bmp" "$work/f128x1.bmp" --json >"$work/out"

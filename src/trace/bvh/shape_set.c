@@ -21,11 +21,11 @@ enum { BVH_MIN_SHAPES = 192 };
  */
 enum { BVH_MIN_SHAPES_REFLECTIVE = 24 };
 
-/** @return Bytes of all shapes of a scene. */
-static size_t shapes_size(const Scene *scene) {
+/** @return Bytes of all shapes of a scene. @param methods A set of #ReportMethod. */
+static size_t shapes_size(const Scene *scene, unsigned methods) {
     size_t size = 0;
     for (size_t i = 0; i < scene->shape_count; i++) {
-        size += shape_size(&scene->shapes[i]);
+        size += shape_size(&scene->shapes[i], methods);
     }
     return size;
 }
@@ -39,7 +39,7 @@ static bool shapes_create(ShapeSet *set, const Scene *scene, MeshBvhCache *meshe
             return false;
         }
         set->shapes[i] = shape;
-        next += shape_size(&scene->shapes[i]);
+        next += shape_size(&scene->shapes[i], meshes->methods);
     }
     return true;
 }
@@ -154,7 +154,7 @@ bool shape_set_init(ShapeSet *set, const Scene *scene, MeshBvhCache *meshes,
                     const TraceSettings *settings, Error *error) {
     size_t count = scene->shape_count;
     *set = (ShapeSet){.count = count, .bvh_threshold = bvh_threshold_of(scene, settings)};
-    set->memory = shapes_allocate(shapes_size(scene));
+    set->memory = shapes_allocate(shapes_size(scene, meshes->methods));
     if (!set->memory || !shapes_reserve(set, count) || !shapes_create(set, scene, meshes, error) ||
         !shapes_build_index(set, settings)) {
         shape_set_deinit(set);

@@ -190,6 +190,12 @@ size_t mesh_bvh_memory_size(const MeshBvh *mesh_bvh) {
            (mesh_bvh->uv_indices ? slot_count * sizeof *mesh_bvh->uv_indices : 0);
 }
 
+/** @return The largest coordinate of the camera and of bounded shapes, scene units. */
+static double scene_reach(const Scene *scene) {
+    Aabbd bounds = aabbd_add_point(scene_bounds(scene), scene->camera.position);
+    return fmax(vec3d_max_abs(bounds.low), vec3d_max_abs(bounds.high));
+}
+
 bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhCache *reuse_from,
                          const TraceSettings *settings, Error *error) {
     size_t count = scene->mesh_count * NORMAL_SOURCE_COUNT;
@@ -200,6 +206,7 @@ bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhC
                             .has_textures = scene_has_textures(scene),
                             .relaxation = (scalar)settings->relaxation,
                             .methods = settings->methods,
+                            .reach = scene_reach(scene),
                             .footprint = {.pixel_fraction = (scalar)settings->footprint}};
     cache->entries = calloc(count + 1, sizeof *cache->entries);
     return cache->entries ||

@@ -61,12 +61,13 @@ struct MeshBvhCache {
                                   it. Retained. */
     size_t count;            /**< Number of #entries. */
     const SceneMesh *meshes; /**< Meshes of the scene; valid during the creation of shapes only. */
-    const MeshBvhCache *reuse_from;      /**< Cache of another tracer, or NULL; likewise. */
-    const ParallelFor *parallel_for;     /**< Threads for the construction; likewise. */
-    bool has_textures;                   /**< Whether any material has a texture. */
-    scalar relaxation;                   /**< #TraceSettings.relaxation */
-    unsigned methods;                    /**< #TraceSettings.methods */
-    Footprint footprint;                 /**< Size of a pixel, for the tolerance of SDFs. */
+    const MeshBvhCache *reuse_from;  /**< Cache of another tracer, or NULL; likewise. */
+    const ParallelFor *parallel_for; /**< Threads for the construction; likewise. */
+    bool has_textures;               /**< Whether any material has a texture. */
+    scalar relaxation;               /**< #TraceSettings.relaxation */
+    unsigned methods;                /**< #TraceSettings.methods */
+    double reach;                    /**< Largest coordinate of the camera and of bounded shapes. */
+    Footprint footprint;             /**< Size of a pixel, for the tolerance of SDFs. */
     StepLimitCounter step_limit_counter; /**< Rays that have reached the step limit of an SDF. */
 };
 

@@ -5,15 +5,23 @@
  */
 #include "trace/shapes/report_sphere.h"
 
+#include "trace/bvh/slab.h"
+#include "trace/mesh/mesh_bvh.h"
+
 /** Bound on the error of a point, in half ulps of its coordinates, as if the formulas had no error
  *  of their own: so offsets are as short as those of other shapes. */
 #define REPORT_SPHERE_ERROR 8
+
+/** Bound on the error of a squared distance to the centre, in half ulps of the squared sum of all
+ *  coordinates: there are some ten roundings, of up to three products per axis. */
+#define REPORT_SPHERE_SQUARED_ERROR 96
 
 /** A sphere of a report. @extends Shape */
 typedef struct ReportSphere {
     Shape base;    /**< Base. */
     Vec3s center;  /**< Centre. */
     scalar radius; /**< Radius. */
+    Aabbs box;     /**< Where hits count: see report_sphere_bind(). */
 } ReportSphere;
 
 /** See #ShapeClass.init. */
@@ -22,6 +30,37 @@ static void report_sphere_init(Shape *self, const void *parameters) {
     const SphereParameters *p = parameters;
     sphere->center = vec3s_narrow(vec3sw_of(p->center));
     sphere->radius = (scalar)p->radius;
+}
+
+/**
+ * Finds the box in which hits count. The formulas have hits as far beside the sphere as their
+ * errors reach; these grow with the distance of the ray's origin. The box holds what rays within
+ * the scene bring about. Farther hits are none, since trees do not test what is beyond boxes. See
+ * #ShapeExtension.bind.
+ * @return true
+ */
+static bool report_sphere_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
+                               Error *error) {
+    (void)scene_shape;
+    (void)error;
+    ReportSphere *sphere = (ReportSphere *)self;
+    Vec3d center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
+    double radius = (double)sphere->radius, length = cache->reach + vec3d_max_abs(center) + radius;
+    double error_squared = REPORT_SPHERE_SQUARED_ERROR * (double)ROUNDOFF * length * length;
+    double r = sqrt(radius * radius + error_squared);
+    sphere->box = aabbs_from_corners(vec3d_subtract(center, (Vec3d){r, r, r}),
+                                     vec3d_add(center, (Vec3d){r, r, r}));
+    return true;
+}
+
+/** @return The rays whose hits are in the box, and farther from its faces than any test of the box
+ *  rounds. */
+INLINE mask report_sphere_holds(const ReportSphere *sphere, const Ray *ray, real distance) {
+    const Aabb box = aabb_splat(sphere->box);
+    SlabSpan span = slab_span(ray->origin, ray->inverse_direction, &box, &SLAB_ORDERS[0], ALL_AXES,
+                              real_of(INFINITE));
+    mask meets = span.near * (1 + REGION_SLACK) <= span.far * (1 - REGION_SLACK);
+    return meets & (distance >= span.near * (1 + REGION_SLACK));
 }
 
 /** @return The smallest positive solution of a t^2 + b t + c = 0, as the quadratic formula has it.
@@ -45,7 +84,7 @@ INLINE mask quadratic_intersect(const Shape *self, const Ray *ray, mask active, 
     real c = vec3_dot(p, p) - 2 * vec3_dot(o, p) + vec3_dot(o, o) - sphere->radius * sphere->radius;
     mask crosses;
     *distance = quadratic_root(a, b, c, active, &crosses);
-    return crosses;
+    return crosses & report_sphere_holds(sphere, ray, *distance);
 }
 
 /** Report C: b relative to the centre, c of coordinates of the world. See #IntersectFunction. */
@@ -59,7 +98,7 @@ INLINE mask quadratic_c_intersect(const Shape *self, const Ray *ray, mask active
              sphere->radius * sphere->radius;
     mask crosses;
     *distance = quadratic_root(a, b, c, active, &crosses);
-    return crosses;
+    return crosses & report_sphere_holds(sphere, ray, *distance);
 }
 
 /** Report D: the foot H of the perpendicular, a point of the world, and half the chord from there.
@@ -76,7 +115,7 @@ INLINE mask projection_intersect(const Shape *self, const Ray *ray, mask active,
     mask crosses = active & (d > 0) & (l >= 0);
     real half = real_sqrt(real_max(l, real_of(0)) / squared);
     *distance = real_select(d - half < 0, d + half, d - half);
-    return crosses;
+    return crosses & report_sphere_holds(sphere, ray, *distance);
 }
 
 /** @return The points o + t d. See #SurfaceFunction. */
@@ -92,11 +131,7 @@ INLINE SurfacePoint report_sphere_surface(const Shape *self, const Ray *ray, rea
 
 /** See #ShapeClass.bounds. */
 static Aabbs report_sphere_bounds(const Shape *self) {
-    const ReportSphere *sphere = (const ReportSphere *)self;
-    Vec3d center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
-    double r = (double)sphere->radius;
-    return aabbs_from_corners(vec3d_subtract(center, (Vec3d){r, r, r}),
-                              vec3d_add(center, (Vec3d){r, r, r}));
+    return ((const ReportSphere *)self)->box;
 }
 
 /** @return Longitude and latitude, from the normal alone. See #ShapeClass.texture_uv. */
@@ -122,6 +157,9 @@ static mask quadratic_is_occluding(const Shape *self, const Ray *ray, mask activ
     return primitive_is_occluding(self, ray, active, limit, quadratic_intersect, NULL);
 }
 
+/** What spheres of reports are beyond a primitive. */
+static const ShapeExtension report_sphere_extension = {.bind = report_sphere_bind};
+
 /** Spheres of report A. */
 static const ShapeClass quadratic_class = {
     .size = sizeof(ReportSphere),
@@ -129,6 +167,7 @@ static const ShapeClass quadratic_class = {
     .is_hit = quadratic_is_hit,
     .is_occluding = quadratic_is_occluding,
     .bounds = report_sphere_bounds,
+    .extension = &report_sphere_extension,
     .texture_uv = report_sphere_texture_uv,
 };
 
@@ -150,6 +189,7 @@ static const ShapeClass quadratic_c_class = {
     .is_hit = quadratic_c_is_hit,
     .is_occluding = quadratic_c_is_occluding,
     .bounds = report_sphere_bounds,
+    .extension = &report_sphere_extension,
     .texture_uv = report_sphere_texture_uv,
 };
 
@@ -171,6 +211,7 @@ static const ShapeClass projection_class = {
     .is_hit = projection_is_hit,
     .is_occluding = projection_is_occluding,
     .bounds = report_sphere_bounds,
+    .extension = &report_sphere_extension,
     .texture_uv = projection_texture_uv,
 };
 

@@ -9,8 +9,7 @@
 #include "trace/shapes/shape.h"
 
 /**
- * @return The class that intersects a shape by the methods of a report. Its objects need no more
- *         memory than those of the tracer's own class.
+ * @return The class that intersects a shape by the methods of a report.
  * @param own  The tracer's own class.
  * @param methods  A set of #ReportMethod.
  */

@@ -27,8 +27,13 @@ void *shape_tail(Shape *shape) {
     return (char *)shape + shape_class_stride(shape->class);
 }
 
-size_t shape_size(const SceneShape *scene_shape) {
-    const ShapeClass *class = shape_classes[scene_shape->class_index];
+/** @return The class of a shape. @param methods A set of #ReportMethod. */
+static const ShapeClass *class_of(const SceneShape *scene_shape, unsigned methods) {
+    return report_shape_class(shape_classes[scene_shape->class_index], methods);
+}
+
+size_t shape_size(const SceneShape *scene_shape, unsigned methods) {
+    const ShapeClass *class = class_of(scene_shape, methods);
     return shape_class_stride(class) + shape_tail_size(class, scene_shape->parameters) +
            (scene_shape->transform ? shape_class_stride(&transformed_class) : 0);
 }
@@ -43,8 +48,7 @@ static Shape *shape_init(void *memory, Shape base, const void *parameters) {
 
 Shape *shape_init_from_scene(void *memory, const SceneShape *scene_shape, int index,
                              MeshBvhCache *meshes, Error *error) {
-    const ShapeClass *class =
-        report_shape_class(shape_classes[scene_shape->class_index], meshes->methods);
+    const ShapeClass *class = class_of(scene_shape, meshes->methods);
     Shape base = {.class = class, .index = index, .material = (int)scene_shape->material_index};
     void *inner_memory =
         (char *)memory + (scene_shape->transform ? shape_class_stride(&transformed_class) : 0);

@@ -277,8 +277,9 @@ static inline size_t shape_aligned_size(size_t size) {
  */
 void *shape_tail(Shape *shape);
 
-/** @return Bytes of the object of a shape, a multiple of #SHAPE_ALIGNMENT. */
-size_t shape_size(const SceneShape *scene_shape);
+/** @return Bytes of the object of a shape, a multiple of #SHAPE_ALIGNMENT. @param methods A set of
+ *  #ReportMethod. */
+size_t shape_size(const SceneShape *scene_shape, unsigned methods);
 
 /**
  * Creates the object of a shape, inside a transformed one if the scene transforms it.

@@ -142,7 +142,8 @@ static void put_into_list(RayTally *tally, const SurfaceHit *surface, SecondaryR
             MaterialPack material = material_pack_gather(
                 surface->materials, &surface->material_ids[v], surface->is_hit[v]);
             mask *transmitted = &refracted->rays.packet.active[v];
-            is_glass = surface->is_hit[v] & (rgb_max(material.transmittance) > 0) &
+            // Rays whose depth is used up put nothing into the list.
+            is_glass = surface->may_turn[v] & (rgb_max(material.transmittance) > 0) &
                        mask_not(surface->dielectric->is_overridden[v]);
             tally->count[v] = real_select(*transmitted | is_glass, count + 1, count);
             *transmitted &= count < end;

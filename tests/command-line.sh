@@ -162,6 +162,40 @@ done
 same "$work/a.bmp" "$work/bound.bmp" 'bound is the default offset'
 differing "$work/none.bmp" "$work/bound.bmp" 'no offset shows acne'
 
+# What begins with no place in a file is said by the program.
+expect 3 '^dioptre: none.lua: No such file' 'a scene that is not there' "$dioptre" render none.lua -o "$work/x.bmp"
+echo 'camera {} print("hello") sphere { material = material { tex = "a.png" } }' >"$work/words.lua"
+expect 3 '^[^ ]*/words.lua:1: .*did you mean `texture`' 'an abbreviated word' "$dioptre" info "$work/words.lua" -q
+! grep -q hello "$work/err" && ok 'quietly, what a scene prints is left out' || fail 'a scene prints although it is quiet'
+for command in info bench needs; do
+    options="-q -s 8x6"
+    [ $command = bench ] && options="$options --frames 1"
+    # shellcheck disable=SC2086 # words
+    expect 0 '' "$command, quietly" "$dioptre" $command "$box" $options
+    [ ! -s "$work/out" ] && ok 'prints nothing' || fail "$command -q prints $(head -1 "$work/out")"
+    # shellcheck disable=SC2086
+    "$dioptre" $command "$box" $options --json >"$work/out"
+    holds "$work/out" '^{' 'but JSON that is asked for'
+done
+expect 0 '' '--help is final' "$dioptre" render --help --no-such-option
+expect 0 '' '--version is final' "$dioptre" --version --no-such-option
+expect 2 'no-such-option' 'but not before a wrong option' "$dioptre" render --no-such-option --help
+if [ -w /dev/full ]; then
+    "$dioptre" compare "$work/none.bmp" "$work/bound.bmp" >/dev/full 2>"$work/err"
+    holds "$work/err" 'cannot write to standard output' 'a full disk, where pictures differ'
+fi
+expect 0 '' 'a folder in a folder' "$dioptre" chart "$box" -q -s 8x6 --out "$work/outer/inner"
+[ -d "$work/outer/inner" ] && ok 'both are made' || fail 'no folder is made'
+
+# The engine is chosen for the size that is drawn: narrow pixels need double precision.
+printf 'camera { fov = 0.05, position = {0, 0, 50} }\nimage { width = 8, height = 6 }\nlight {}\nsphere {}\n' >"$work/size.lua"
+sed 's/width = 8, height = 6/width = 8000, height = 6000/' "$work/size.lua" >"$work/large.lua"
+"$dioptre" info "$work/size.lua" -s 8000x6000 --samples 1 | grep '^engine' >"$work/a"
+"$dioptre" info "$work/large.lua" --samples 1 | grep '^engine' >"$work/b"
+same "$work/a" "$work/b" 'an option and the scene choose the same engine for the same size'
+"$dioptre" info "$work/size.lua" --samples 1 | grep '^engine' >"$work/b"
+differing "$work/a" "$work/b" 'and another for a small picture'
+
 # without PACKAGE LIBRARY TARGET: make says what to install, where no library is to be found.
 without() {
     expect 2 "^$2 is missing: .*$1" "make without $1" \

@@ -53,7 +53,7 @@ done
 speaks() {
     words=$1 name=$2
     shift 2
-    expect 3 "^none.lua: $words\$" "$name" env -u LC_ALL -u LC_MESSAGES -u LANG -u LANGUAGE "$@" "$dioptre" info none.lua
+    expect 3 "^dioptre: none.lua: $words\$" "$name" env -u LC_ALL -u LC_MESSAGES -u LANG -u LANGUAGE "$@" "$dioptre" info none.lua
 }
 english='No such file or directory' french='aucun fichier ni dossier de ce nom'
 speaks "$english" 'nothing is asked for: English' X=

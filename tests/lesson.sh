@@ -9,7 +9,7 @@ box=$root/scenes/box.lua
 # wrong LESSON WORDS: what is said of it, with file and line.
 wrong() {
     printf '%s\n' "$1" >"$work/wrong.lua"
-    expect 3 "^$work/wrong.lua:$2\$" "wrong: $1" "$dioptre" view --lesson "$work/wrong.lua"
+    expect 3 "^(dioptre: )?$work/wrong.lua:$2\$" "wrong: $1" "$dioptre" view --lesson "$work/wrong.lua"
 }
 begin="lesson { scene = \"$box\" }"
 wrong '' '1: a lesson begins with lesson \{ scene = "FILE.lua" \}'
@@ -59,7 +59,7 @@ wrong "$begin select(\"sphere\", 7)" ' the step at 0 s names `sphere` number 7, 
 wrong "$begin drag(5, 1, 0, 0)" ' the step at 0 s names light number 5, which .*'
 wrong "$begin torus(1)" '1: unknown word `torus`'
 echo "$begin" >"$work/a.lua"
-expect 3 "^$work/a.lua: this lesson is for $box, not for scenes/chess.lua\$" 'a lesson for another scene' \
+expect 3 "^dioptre: $work/a.lua: this lesson is for $box, not for scenes/chess.lua\$" 'a lesson for another scene' \
     "$dioptre" view scenes/chess.lua --lesson "$work/a.lua"
 expect 3 'none.lua: No such file' 'a lesson that is not there' "$dioptre" view --lesson "$work/none.lua"
 expect 2 '^dioptre: view needs a SCENE, or --lesson FILE' 'neither scene nor lesson' "$dioptre" view

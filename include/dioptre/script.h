@@ -50,6 +50,7 @@ typedef struct ScriptRequest {
     const atomic_bool *stop;        /**< Loading stops once this is true; NULL: never. */
     const SceneOverride *overrides; /**< Values in place of those of the file; NULL: none. */
     size_t override_count;          /**< Their number, at most #SCENE_OVERRIDES_MAXIMUM. */
+    bool is_quiet;                  /**< Whether what the scene prints is left out. */
     const char
         *worker; /**< Program of the worker, see script/script_worker.h; NULL: dioptre-worker. */
 } ScriptRequest;

@@ -10,6 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 
+/** Shortest word that may be an abbreviation, bytes. */
+enum { ABBREVIATION_MINIMUM = 2 };
+
 /** Edit distances of all pairs of prefixes of two words, by their lengths. */
 typedef size_t EditDistances[SUGGEST_LENGTH_MAXIMUM + 1][SUGGEST_LENGTH_MAXIMUM + 1];
 
@@ -68,6 +71,11 @@ void suggest_try(Suggestion *suggestion, const char *candidate) {
     // At most one edit per three letters: more distant words would be misleading.
     size_t distance_maximum = (word_length + 2) / 3;
     size_t distance = edit_distance(suggestion->word, word_length, candidate, length);
+    // An abbreviation counts as the most distant word that is not misleading.
+    if (word_length >= ABBREVIATION_MINIMUM &&
+        strncmp(suggestion->word, candidate, word_length) == 0 && distance > distance_maximum) {
+        distance = distance_maximum;
+    }
     if (distance > distance_maximum ||
         (suggestion->best_match && distance > suggestion->distance)) {
         return;

@@ -76,7 +76,7 @@ static void bench_print(const BenchResult *result, const RenderSettings *setting
         json_number(&json, "samples_per_pixel",
                     (double)result->camera_rays / settings->width / settings->height, digits);
         json_line_end(&json);
-    } else {
+    } else if (!options->quiet) {
         sanitize_print_line(options->arguments[0], stdout);
         printf(
             ngettext(": %s, %d thread, ", ": %s, %d threads, ", (unsigned long)settings->threads),

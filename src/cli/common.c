@@ -65,8 +65,15 @@ Scene *command_run_scene(const Options *options, const SceneRun *run, Error *err
                              .cache = run->cache,
                              .overrides = run->overrides,
                              .override_count = run->override_count,
-                             .stop = run->stop};
-    return script_load(&request, error);
+                             .stop = run->stop,
+                             .is_quiet = options->quiet};
+    Scene *scene = script_load(&request, error);
+    if (scene) {
+        // What is estimated of a picture, and so its engine, depends on its size.
+        scene->image.width = options->width ? options->width : scene->image.width;
+        scene->image.height = options->height ? options->height : scene->image.height;
+    }
+    return scene;
 }
 
 /** @return The settings of a scene of that estimate, with those of the command line over them. */
@@ -75,8 +82,6 @@ static RenderSettings settings_from(const Options *options, const Scene *scene,
     RenderSettings settings = precision_estimate_settings(estimate, scene);
     settings.engine = options->engine ? options->engine : settings.engine;
     settings.threads = options->threads ? options->threads : settings.threads;
-    settings.width = options->width ? options->width : settings.width;
-    settings.height = options->height ? options->height : settings.height;
     settings.samples = options->samples ? options->samples : settings.samples;
     settings.sampling = (Sampling)options->sampling;
     TraceSettings *trace = &settings.trace;
@@ -96,6 +101,9 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
 
 RenderSettings command_print_notes(const Options *options, const Scene *scene) {
     PrecisionEstimate estimate = precision_estimate_of(scene);
+    if (options->quiet) {
+        return settings_from(options, scene, &estimate);
+    }
     for (size_t i = 0; i < scene->note_count; i++) {
         sanitize_print_line(scene->notes[i], stderr);
         fputc('\n', stderr);
@@ -103,13 +111,13 @@ RenderSettings command_print_notes(const Options *options, const Scene *scene) {
     if (estimate.z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
         print_coincident(options, &estimate.z_fighting);
     }
-    if (estimate.smooth_glass_line > 0 && !options->quiet) {
+    if (estimate.smooth_glass_line > 0) {
         print_place(options, estimate.smooth_glass_line);
         fputs(gettext("glass with smooth normals: where they reflect a ray through its own facet, "
                       "rounding decides what is seen; flat ones do not\n"),
               stderr);
     }
-    if (estimate.chaotic_fraction >= PRECISION_CHAOS_SAID && !options->quiet) {
+    if (estimate.chaotic_fraction >= PRECISION_CHAOS_SAID) {
         fprintf(
             stderr,
             gettext("dioptre: glass that traps light on chaotic paths: some %.1g %% of the pixels "

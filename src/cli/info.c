@@ -559,7 +559,11 @@ void cli_info(const Options *options, Error *error) {
         info.contents = renderer_contents(renderer); // Before the forecast's rays count.
         info.forecast = renderer_forecast_light(renderer, FORECAST_SECONDS, interrupt_flag());
         list_omissions(&info);
-        options->json ? info_print_json(&info) : info_print(&info);
+        if (options->json) {
+            info_print_json(&info);
+        } else if (!options->quiet) {
+            info_print(&info);
+        }
     }
     renderer_destroy(renderer);
     scene_destroy(scene);

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "render/ray_stack.h"
 
+#include <ctype.h>
 #include <libintl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -83,12 +84,20 @@ static const Command *find_command(const char *name) {
     return NULL;
 }
 
-/** Prints an error. Errors of a scene or of a picture begin with its file. */
+/** @return Whether a message begins with a place, `FILE:LINE: `. */
+static bool begins_with_place(const char *message) {
+    const char *end = strstr(message, ": "), *line = end;
+    while (line && line > message && isdigit((unsigned char)line[-1])) {
+        line--;
+    }
+    return line && line < end && line > message + 1 && line[-1] == ':';
+}
+
+/** Prints an error: `FILE:LINE: message`, or `dioptre: message`. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        bool begins_with_file = error->status == STATUS_SCENE;
-        const char *prefix = begins_with_file ? "" : "dioptre: ";
-        fputs(prefix, stderr);
+        bool has_place = error->status == STATUS_SCENE && begins_with_place(error->message);
+        fputs(has_place ? "" : "dioptre: ", stderr);
         sanitize_print(error->message, stderr); // It may quote a name from the command line.
         fputc('\n', stderr);
     }
@@ -161,7 +170,7 @@ static void parse_and_run(int argc, char **argv, Error *error) {
         error_set(error, STATUS_USAGE, "which command? (--help names them)");
     }
     // The output must arrive: a full disk behind a redirection is an error, too.
-    if (fflush(stdout) != 0 && error->status == STATUS_OK) {
+    if (fflush(stdout) != 0 && !error->message[0]) {
         error_set(error, STATUS_FAILED, "cannot write to standard output");
     }
 }

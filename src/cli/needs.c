@@ -284,7 +284,7 @@ void cli_needs(const Options *options, Error *error) {
     progress_clear(&progress);
     if (is_found && options->json) {
         needs_print_json(&needs, options);
-    } else if (is_found) {
+    } else if (is_found && !options->quiet) {
         options->budget > 0 ? budget_print(&needs, &request) : needs_print(&needs, &request);
     }
     scene_destroy(scene);

@@ -412,6 +412,9 @@ bool options_parse(const Command *command, int argc, char **argv, Options *optio
         if (!parse_option(command, code, argv[optind - 1], options, error)) {
             return false;
         }
+        if (options->help || options->version) {
+            return true; // Whatever follows is not looked at.
+        }
     }
     for (int i = optind; i < argc; i++, options->argument_count++) {
         if (options->argument_count == ARGUMENTS_MAXIMUM) {

@@ -27,8 +27,21 @@ LabTest lab_test_at(size_t index) {
     return (LabTest){experiment->name, experiment->title, experiment->timed_level != 0};
 }
 
+/** Makes the folders above a path, where they are missing. */
+static void make_folders_above(const char *path) {
+    char above[PATH_MAX];
+    for (const char *slash = strchr(path, '/'); slash; slash = strchr(slash + 1, '/')) {
+        int length = (int)(slash - path);
+        if (length > 0 && length < PATH_MAX) {
+            snprintf(above, sizeof above, "%.*s", length, path);
+            mkdir(above, 0777); // Where this fails, the last one fails too, and says why.
+        }
+    }
+}
+
 bool lab_create_folder(const LabRequest *request, Error *error) {
     struct stat found;
+    make_folders_above(request->folder);
     if (mkdir(request->folder, 0777) != 0 && errno != EEXIST) {
         return error_set(error, STATUS_FAILED, "cannot make the folder '%s': %s", request->folder,
                          error_errno_text(errno));

@@ -160,14 +160,17 @@ static void accumulate_bounds(SceneMeasures *measures, const Aabbd *box, double 
                        PRECISION_VISIBLE_ERROR * pixels / EDGE_TOLERANCE);
 }
 
-/** Accumulates a texture on an unbounded shape. Near the horizon, a camera at height h sees rows of
- *  pixels h / p^2 apart, for a pixel angle p; roundings of the direction grow likewise. */
+/** Accumulates a texture on an unbounded shape. At the angle a below the horizon, a camera at
+ * height h sees a direction's change by e as h e / a^2. The horizon passes at any distance from the
+ *  middles of pixels: #PRECISION_FRACTION_ALLOWED of a picture's rows are nearer to it than a. */
 static void accumulate_horizon(SceneMeasures *measures, const SceneShape *shape,
                                const Texture *texture) {
     const PrecisionEstimate *estimate = measures->estimate;
     double scale = shape->transform ? vec3d_max_abs(shape->transform->scale) : 1;
     double height = measures->scene->camera.target_distance;
-    double error = DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * height / pow(estimate->pixel_angle, 2);
+    double rows = fmin(1, PRECISION_FRACTION_ALLOWED * measures->scene->image.height);
+    double error =
+        DIRECTION_ROUNDINGS * FLOAT_ROUNDOFF * height / pow(rows * estimate->pixel_angle, 2);
     double texels = error * texture->width / scale;
     keep_largest_error(measures->estimate, PRECISION_HORIZON, TEXEL_CONTRAST * fmin(1, texels));
 }

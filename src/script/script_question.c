@@ -43,7 +43,9 @@ static bool print_text(ScriptResponder *responder, const char *text) {
     if (responder->bytes_printed > SCRIPT_PRINT_MAXIMUM + sizeof sanitized) {
         return false;
     }
-    write_error(sanitized, length);
+    if (!responder->request->is_quiet) {
+        write_error(sanitized, length);
+    }
     return true;
 }
 

@@ -57,6 +57,16 @@ differing() {
     esac
 }
 
+# objects_of FOLDER...: the objects of sources below folders; those of sources that are gone are left out.
+objects_of() {
+    for folder; do
+        find "$BUILD/obj/$folder" -name '*.o' 2>/dev/null
+    done | while read -r object; do
+        source=${object#"$BUILD/obj/"}
+        if [ -e "${source%.o}.c" ] || [ -e "${source%.o}.cpp" ]; then echo "$object"; fi
+    done
+}
+
 # within COMMAND...: waits until a command succeeds: for an event, however slow the machine is. Two minutes
 # are many times what any takes: they bound a test that has failed.
 within() {

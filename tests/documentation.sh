@@ -59,7 +59,7 @@ for words in 'quite_undocumented\(int value\).* is not documented' "argument 'ot
 done
 
 # --- the scene reference -------------------------------------------------------------------------
-objects=$(find "$BUILD/obj/src/scene" "$BUILD/obj/src/base" -name '*.o')
+objects=$(objects_of src/scene src/base)
 # shellcheck disable=SC2086 # a list of files
 if ${CC:-cc} -std=gnu11 -Iinclude -Isrc -o "$work/print_keywords" tests/print_keywords.c $objects -lm -pthread 2>"$work/err"; then
     "$work/print_keywords" >"$work/tables"

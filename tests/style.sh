@@ -31,7 +31,7 @@ done >"$work/includes"
 empty 'rooms include what they may' "$(uses "$work/includes")"
 # What a room's objects call, whatever header declares it: each symbol belongs to the room that defines it.
 for room in $rooms; do
-    objects=$(find "$BUILD/obj/src/$room" -name '*.o' 2>/dev/null)
+    objects=$(objects_of "src/$room")
     case $room in
     trace) objects=$(ls "$BUILD"/obj/engine-*.o) ;;
     lab) objects="$objects $(ls "$BUILD"/obj/type-*.o)" ;;

@@ -119,7 +119,7 @@ static void show_object_inspector(Window *window) {
                                             .is_read_only = state->is_playing,
                                             .can_undo = state->can_undo,
                                             .can_redo = state->can_redo,
-                                            .top = window->toolbar.height,
+                                            .area = window_area_below_button(window),
                                             .picture = picture,
                                             .pixel = {window->ray_view.x, window->ray_view.y}};
     object_inspector_show(inspector, &content);

@@ -550,7 +550,7 @@ void gui_progress_bar(GuiPoint corner, float width, float fraction);
 
 /** Where the inspector lies, and where what it is about. */
 typedef struct GuiInspectorPlace {
-    float top;      /**< Upper edge at first, pixels of the window. */
+    GuiRect area;   /**< The part of the window in which it lies at first. */
     bool has_thing; /**< Whether #thing is known. */
     GuiPoint thing; /**< Where the thing is seen: the inspector keeps clear of it. */
     bool is_new;    /**< Whether another thing was just chosen. */

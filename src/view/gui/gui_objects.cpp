@@ -61,15 +61,16 @@ ImVec2 name_behind(ImVec2 start, GuiPoint direction, const char *name) {
     return ImVec2(start.x - reach * direction.x, start.y - reach * direction.y - size.y / 2);
 }
 
-/** Puts the inspector at the right; at the left if it would lie on what it is about. It moves only
- *  for that: the user may have put it elsewhere. @param width Its width. */
+/** Puts the inspector at the right of its area; at the left if it would lie on what it is about. It
+ * moves only for that: the user may have put it elsewhere. @param width Its width. */
 void place_inspector(const Gui *gui, const GuiInspectorPlace *place, float width) {
-    const float display = ImGui::GetIO().DisplaySize.x;
+    const GuiRect &area = place->area;
     const ImVec2 thing(place->thing.x, place->thing.y);
+    const float right = area.x + area.width - width;
     // In a narrow window it lies on it on either side: then on the side that is farther.
-    bool is_left = place->has_thing && thing.x > fmaxf(display - width, display / 2);
+    bool is_left = place->has_thing && thing.x > fmaxf(right, area.x + area.width / 2);
     bool is_hidden = place->has_thing && place->is_new && gui->inspector.Contains(thing);
-    ImGui::SetNextWindowPos(ImVec2(is_left ? 0 : display - width, place->top),
+    ImGui::SetNextWindowPos(ImVec2(is_left ? area.x : right, area.y),
                             is_hidden ? ImGuiCond_Always : ImGuiCond_Appearing);
 }
 
@@ -112,8 +113,9 @@ GuiPoint gui_mark_outside(GuiPoint tip, GuiPoint direction, const char *name, bo
 bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
                          const GuiInspectorPlace *place) {
     const ImGuiIO &io = ImGui::GetIO();
+    const GuiRect &area = place->area;
     float size = ImGui::GetFontSize(), width = fminf(INSPECTOR_WIDTH * size, io.DisplaySize.x);
-    const float top = place->top, room = fmaxf(4 * size, io.DisplaySize.y - top);
+    const float top = area.y, room = fmaxf(4 * size, area.height);
     char label[INSPECTOR_TITLE_SIZE];
     bool is_open = true;
     snprintf(label, sizeof label, "%s###%s", title, id);
@@ -138,7 +140,7 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
     // The window may have become smaller, or the letters larger: then it is whole again.
     const ImVec2 corner = ImGui::GetWindowPos();
     const float lowest = room != gui->inspector_room
-                             ? fmaxf(top, io.DisplaySize.y - ImGui::GetWindowHeight())
+                             ? fmaxf(top, top + room - ImGui::GetWindowHeight())
                              : io.DisplaySize.y - 2 * size;
     gui->inspector_room = room;
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),

@@ -325,7 +325,7 @@ void object_inspector_show(ObjectInspector *inspector, const ObjectInspectorCont
     if (!object_inspector_is_open(inspector) || (inspector->number > 0 && !has_object)) {
         return;
     }
-    GuiInspectorPlace place = {.top = content->top, .is_new = !inspector->was_shown};
+    GuiInspectorPlace place = {.area = content->area, .is_new = !inspector->was_shown};
     if (has_object) {
         write_title(content->scene, &object, title);
         write_tooltip(&object, tooltip);

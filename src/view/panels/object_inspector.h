@@ -53,7 +53,7 @@ typedef struct ObjectInspectorContent {
     bool is_read_only;          /**< Whether a lesson plays. */
     bool can_undo;              /**< Whether a change can be taken back. */
     bool can_redo;              /**< Whether one can be done again. */
-    float top;                  /**< Upper edge at first, pixels of the window. */
+    GuiRect area;               /**< The part of the window for it, screen units. */
     SDL_Rect picture;           /**< Where the picture is, pixels of the window. */
     Uvd pixel;                  /**< What was clicked if #ObjectInspector.has_pixel, fractions of
                                      the picture. */

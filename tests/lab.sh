@@ -7,8 +7,8 @@ expect 2 'did you mean .sphere-scale.\?; there are sphere-distance, ' 'a misspel
     "$dioptre" lab sphere-scael --out "$work/none"
 expect 2 'there are ' 'an unknown test' "$dioptre" lab nonsense --out "$work/none"
 [ ! -e "$work/none" ] && ok 'a misspelt test makes no folder' || fail 'a misspelt test makes a folder'
-expect 1 'cannot make the folder' 'a folder in no folder' "$dioptre" lab field-cells --out "$work/no/where"
 : >"$work/file"
+expect 1 'cannot make the folder' 'a folder in a file' "$dioptre" lab field-cells --out "$work/file/inner"
 expect 1 'is no folder' 'a file for a folder' "$dioptre" lab field-cells --out "$work/file"
 if [ "$(id -u)" != 0 ]; then
     mkdir "$work/closed" && chmod a-w "$work/closed"

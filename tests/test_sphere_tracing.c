@@ -532,13 +532,16 @@ static void check_crossing_fields(const Engine *engine) {
                                  distances[which - 1]);
             engine->destroy(tracer);
         }
+        long both = 0;
         for (long i = 0; i < count; i++) {
             bool is_torus =
                 shapes[0][i] >= 0 && (shapes[1][i] < 0 || distances[0][i] <= distances[1][i]);
             int shape = is_torus ? 0 : shapes[1][i] >= 0 ? 1 : -1;
+            both += shapes[0][i] >= 0 && shapes[1][i] >= 0;
             assert_int_equal(shapes[2][i], shape);
             assert_true(shape < 0 || distances[2][i] == distances[shape][i]);
         }
+        assert_true(both * 16 > count);
     }
 }
 
@@ -632,10 +635,35 @@ static void check_step_limit(const Engine *engine) {
     engine->destroy(tracer);
 }
 
+/** @return Whether a ray along the axis of a torus hits it, in its hole.
+ *  @param minor Radius of the tube; that of the ring is 1. */
+static bool hits_hole(const Engine *engine, double minor, int max_steps) {
+    SdfShapeParameters coarse = {.tolerance = 0.02, .max_steps = max_steps};
+    Tracer *tracer = marched(engine, make_sdf("torus", (double[]){1, minor}), coarse);
+    RayQueryQuad along = {{0, 4, 0}, {0, -1, 0}};
+    RayResult answer;
+    engine->intersect(tracer, 1, &along, &answer);
+    engine->destroy(tracer);
+    return answer.shape >= 0;
+}
+
+/** A ray that is given up within 8 tolerances of a surface hits it; one that is farther away misses
+ *  it, as one does that has steps enough. */
+static void check_given_up(const Engine *engine) {
+    int hits = 0;
+    for (int max_steps = 1; max_steps < 8; max_steps++) {
+        hits += hits_hole(engine, 0.9, max_steps);
+        assert_false(hits_hole(engine, 0.5, max_steps));
+    }
+    assert_true(hits > 0);
+    assert_false(hits_hole(engine, 0.9, 512));
+}
+
 /** @param state Not used. */
 static void test_step_limit(void **state) {
     (void)state;
     for_every_engine(check_step_limit);
+    for_every_engine(check_given_up);
 }
 
 /** Runs the tests. @return 0 if all pass. */

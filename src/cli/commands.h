@@ -31,8 +31,8 @@ void cli_lab(const Options *options, Error *error);     /**< `lab` */
  */
 Scene *command_load_scene(const Options *options, RenderSettings *settings, Error *error);
 
-/** Prints the notes of a scene on standard error, and which of its surfaces coincide. @return See
- *  #command_render_settings. */
+/** Prints the notes of a scene on standard error, and which of its surfaces coincide, unless the
+ *  command line asks for quiet. @return See #command_render_settings. */
 RenderSettings command_print_notes(const Options *options, const Scene *scene);
 
 /** How the scene of a command line is run. */
@@ -44,7 +44,8 @@ typedef struct SceneRun {
     size_t override_count;          /**< Their number. */
 } SceneRun;
 
-/** Loads the scene of a command line. @return See #command_load_scene. */
+/** Loads the scene of a command line. A size that this asks for becomes that of the scene. @return
+ *  See #command_load_scene. */
 Scene *command_run_scene(const Options *options, const SceneRun *run, Error *error);
 
 /** @return The settings of a scene, with those of the command line over them. */

@@ -84,20 +84,25 @@ static const Command *find_command(const char *name) {
     return NULL;
 }
 
-/** @return Whether a message begins with a place, `FILE:LINE: `. */
-static bool begins_with_place(const char *message) {
-    const char *end = strstr(message, ": "), *line = end;
-    while (line && line > message && isdigit((unsigned char)line[-1])) {
-        line--;
+/** @return Whether a message has a place, `FILE:LINE: `, and not only the name of a file. */
+static bool has_place(const char *message) {
+    for (const char *end = strstr(message, ": "); end; end = strstr(end + 1, ": ")) {
+        const char *line = end;
+        while (line > message && isdigit((unsigned char)line[-1])) {
+            line--;
+        }
+        if (line < end && line > message + 1 && line[-1] == ':') {
+            return true;
+        }
     }
-    return line && line < end && line > message + 1 && line[-1] == ':';
+    return false;
 }
 
 /** Prints an error: `FILE:LINE: message`, or `dioptre: message`. */
 static void print_error(const Error *error) {
     if (error->message[0]) {
-        bool has_place = error->status == STATUS_SCENE && begins_with_place(error->message);
-        fputs(has_place ? "" : "dioptre: ", stderr);
+        bool begins_with_place = error->status == STATUS_SCENE && has_place(error->message);
+        fputs(begins_with_place ? "" : "dioptre: ", stderr);
         sanitize_print(error->message, stderr); // It may quote a name from the command line.
         fputc('\n', stderr);
     }

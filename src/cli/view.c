@@ -178,6 +178,7 @@ static Scene *load_preview(void *context, const char *path, const atomic_bool *s
     options.arguments[0] = path;
     options.argument_count = 1;
     options.progress = PROGRESS_NONE;
+    options.quiet = true; // What a scene prints is not asked for here.
     if (lesson_file_is(path) && !(lesson = open_lesson(path, &options, error))) {
         return NULL;
     }

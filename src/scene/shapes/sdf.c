@@ -29,7 +29,7 @@ static const SdfShapeParameters sdf_defaults = {.tolerance = 1e-4, .max_steps = 
 enum { HAS_TOLERANCE = 1 << 1 };
 
 /**
- * Smallest number of tolerances along the longest edge of a field. A ray that is within 8 of them
+ * Smallest number of tolerances along the longest edge of a field. A ray that was within 8 of them
  * may count as a hit, so a larger one would make a surface of all that is in the box.
  */
 static const double TOLERANCES_PER_EDGE = 16;

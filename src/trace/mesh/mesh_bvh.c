@@ -206,7 +206,7 @@ bool mesh_bvh_cache_init(MeshBvhCache *cache, const Scene *scene, const MeshBvhC
                             .has_textures = scene_has_textures(scene),
                             .relaxation = (scalar)settings->relaxation,
                             .methods = settings->methods,
-                            .reach = scene_reach(scene),
+                            .reach = settings->methods ? scene_reach(scene) : 0,
                             .footprint = {.pixel_fraction = (scalar)settings->footprint}};
     cache->entries = calloc(count + 1, sizeof *cache->entries);
     return cache->entries ||

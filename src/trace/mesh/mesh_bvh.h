@@ -66,7 +66,8 @@ struct MeshBvhCache {
     bool has_textures;               /**< Whether any material has a texture. */
     scalar relaxation;               /**< #TraceSettings.relaxation */
     unsigned methods;                /**< #TraceSettings.methods */
-    double reach;                    /**< Largest coordinate of the camera and of bounded shapes. */
+    double reach;                    /**< Largest coordinate of the camera, as it is at first, and
+                                          of bounded shapes; only with #methods. */
     Footprint footprint;             /**< Size of a pixel, for the tolerance of SDFs. */
     StepLimitCounter step_limit_counter; /**< Rays that have reached the step limit of an SDF. */
 };

@@ -10,7 +10,8 @@
 
 #include <string.h>
 
-/** A ray that reaches the step limit has a hit if it is within so many tolerances there. */
+/** A ray that reaches the step limit has a hit if it was within so many tolerances before its last
+ *  step. */
 #define SPHERE_TRACE_CANDIDATE_TOLERANCES 8
 /** Weight of the last step in #SphereTrace.slope. */
 #define SLOPE_SMOOTHING ((scalar)0.4f)

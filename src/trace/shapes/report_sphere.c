@@ -41,20 +41,22 @@ static void report_sphere_init(Shape *self, const void *parameters) {
  */
 static bool report_sphere_bind(Shape *self, const SceneShape *scene_shape, MeshBvhCache *cache,
                                Error *error) {
-    (void)scene_shape;
     (void)error;
     ReportSphere *sphere = (ReportSphere *)self;
     Vec3d center = {(double)sphere->center.x, (double)sphere->center.y, (double)sphere->center.z};
-    double radius = (double)sphere->radius, length = cache->reach + vec3d_max_abs(center) + radius;
-    double error_squared = REPORT_SPHERE_SQUARED_ERROR * (double)ROUNDOFF * length * length;
-    double r = sqrt(radius * radius + error_squared);
+    // Rays to a transformed shape start near it, in its own coordinates.
+    double radius = (double)sphere->radius, middle = vec3d_max_abs(center),
+           reach = scene_shape->transform ? middle + 4 * radius : cache->reach,
+           length = reach + middle + radius,
+           error_squared = REPORT_SPHERE_SQUARED_ERROR * (double)ROUNDOFF * length * length,
+           r = sqrt(radius * radius + error_squared);
     sphere->box = aabbs_from_corners(vec3d_subtract(center, (Vec3d){r, r, r}),
                                      vec3d_add(center, (Vec3d){r, r, r}));
     return true;
 }
 
-/** @return The rays whose hits are in the box, and farther from its faces than any test of the box
- *  rounds. */
+/** @return The rays that meet the box, with hits behind its near side, and by more than any test of
+ *  the box rounds: no test rules out what lies behind the far side. */
 INLINE mask report_sphere_holds(const ReportSphere *sphere, const Ray *ray, real distance) {
     const Aabb box = aabb_splat(sphere->box);
     SlabSpan span = slab_span(ray->origin, ray->inverse_direction, &box, &SLAB_ORDERS[0], ALL_AXES,

@@ -139,10 +139,11 @@ bool gui_inspector_begin(const char *id, const char *title, const char *tooltip,
     gui->is_inspecting = true;
     // The window may have become smaller, or the letters larger: then it is whole again.
     const ImVec2 corner = ImGui::GetWindowPos();
-    const float lowest = room != gui->inspector_room
+    const float whole = io.DisplaySize.y - top;
+    const float lowest = whole != gui->inspector_room
                              ? fmaxf(top, top + room - ImGui::GetWindowHeight())
                              : io.DisplaySize.y - 2 * size;
-    gui->inspector_room = room;
+    gui->inspector_room = whole;
     ImGui::SetWindowPos(ImVec2(fmaxf(0, fminf(corner.x, io.DisplaySize.x - width)),
                                fmaxf(top, fminf(corner.y, lowest))));
     ImGui::PushItemWidth(INSPECTOR_WIDGET_WIDTH * size);

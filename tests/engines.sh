@@ -35,6 +35,7 @@ if grep -q avx2 /proc/cpuinfo; then
     same_bits 'fields that cross, in few steps' tests/scenes/few-steps.lua -s 200x150
     for methods in a c d; do
         same_bits "method $methods far from a sphere" tests/scenes/far-sphere.lua -s 160x120 --methods $methods
+        same_bits "method $methods far from a tree" tests/scenes/far-spheres.lua -s 160x120 --methods $methods
     done
     same_bits 'the list of report D' tests/scenes/turns-used-up.lua -s 32x24 --methods d
     draw f32x8

@@ -9,7 +9,11 @@ box=$root/scenes/box.lua
 # wrong LESSON WORDS: what is said of it, with file and line.
 wrong() {
     printf '%s\n' "$1" >"$work/wrong.lua"
-    expect 3 "^(dioptre: )?$work/wrong.lua:$2\$" "wrong: $1" "$dioptre" view --lesson "$work/wrong.lua"
+    case $2 in
+    [0-9]*) place="^$work/wrong.lua" ;;
+    *) place="^dioptre: $work/wrong.lua" ;; # It is no line that is wrong.
+    esac
+    expect 3 "$place:$2\$" "wrong: $1" "$dioptre" view --lesson "$work/wrong.lua"
 }
 begin="lesson { scene = \"$box\" }"
 wrong '' '1: a lesson begins with lesson \{ scene = "FILE.lua" \}'

@@ -491,13 +491,16 @@ static void test_same_bits(void **state) {
 /* --- the order of hits ------------------------------------------------------------------------ */
 
 /** @return A scene with surfaces of two coarse fields that cross, or with one of them.
- *  @param which Bits: 1: a torus; 2: a box. */
-static Scene *crossing_fields(int which, int max_steps) {
+ *  @param which Bits: 1: a torus; 2: a box. @param is_repeated Whether there are copies of the box
+ *  without end. */
+static Scene *crossing_fields(int which, int max_steps, bool is_repeated) {
+    const SdfRepetition endless = {{2.5, 2.5, 2.5}, {0, 0, 0}};
     Scene *scene = create_empty_scene();
     for (int i = 0; i < 2; i++) {
         Sdf *field = i == 0
                          ? make_sdf("torus", (double[]){1, 0.4})
                          : translate_sdf(make_sdf("box", (double[]){0.9, 0.3, 0.9}), 0.1, 0.2, 0);
+        field = i == 1 && is_repeated ? repeat_sdf(field, endless) : field;
         if (which & 1 << i) {
             add_sdf(scene, (SdfShapeParameters){field, .tolerance = 0.05, .max_steps = max_steps});
         }
@@ -508,7 +511,7 @@ static Scene *crossing_fields(int which, int max_steps) {
 
 /** A ray meets the nearer of two surfaces, where it meets that surface without the other: what was
  *  hit before does not change its path, though the tolerance is coarse or the steps are few. */
-static void check_crossing_fields(const Engine *engine) {
+static void check_crossing_fields(const Engine *engine, bool is_repeated) {
     enum { COUNT = 32768 };
     static const int limits[] = {4, 6, 8, 512};
     static RayQuery rays[COUNT];
@@ -525,7 +528,7 @@ static void check_crossing_fields(const Engine *engine) {
     for (size_t limit = 0; limit < sizeof limits / sizeof limits[0]; limit++) {
         const long count = ray_count_for(engine, COUNT);
         for (int which = 1; which <= 3; which++) {
-            Scene *scene = crossing_fields(which, limits[limit]);
+            Scene *scene = crossing_fields(which, limits[limit], is_repeated);
             Tracer *tracer = create_tracer(engine, scene);
             scene_destroy(scene);
             engine->closest_hits(tracer, (size_t)count, rays, shapes[which - 1],
@@ -545,10 +548,16 @@ static void check_crossing_fields(const Engine *engine) {
     }
 }
 
+/** #check_crossing_fields, in boxes and in the cells of a grid. */
+static void check_order_of_hits(const Engine *engine) {
+    check_crossing_fields(engine, false);
+    check_crossing_fields(engine, true);
+}
+
 /** @param state Not used. */
 static void test_order_of_hits(void **state) {
     (void)state;
-    for_every_engine(check_crossing_fields);
+    for_every_engine(check_order_of_hits);
 }
 
 /* --- the footprint of pixels ------------------------------------------------------------------ */

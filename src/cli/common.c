@@ -99,30 +99,35 @@ RenderSettings command_render_settings(const Options *options, const Scene *scen
     return settings_from(options, scene, &estimate);
 }
 
-RenderSettings command_print_notes(const Options *options, const Scene *scene) {
-    PrecisionEstimate estimate = precision_estimate_of(scene);
-    if (options->quiet) {
-        return settings_from(options, scene, &estimate);
-    }
+/** Prints the notes of a scene, and what its estimate says of its surfaces. */
+static void print_notes(const Options *options, const Scene *scene,
+                        const PrecisionEstimate *estimate) {
     for (size_t i = 0; i < scene->note_count; i++) {
         sanitize_print_line(scene->notes[i], stderr);
         fputc('\n', stderr);
     }
-    if (estimate.z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
-        print_coincident(options, &estimate.z_fighting);
+    if (estimate->z_fighting.coincident >= Z_FIGHTING_COINCIDENT_SAID) {
+        print_coincident(options, &estimate->z_fighting);
     }
-    if (estimate.smooth_glass_line > 0) {
-        print_place(options, estimate.smooth_glass_line);
+    if (estimate->smooth_glass_line > 0) {
+        print_place(options, estimate->smooth_glass_line);
         fputs(gettext("glass with smooth normals: where they reflect a ray through its own facet, "
                       "rounding decides what is seen; flat ones do not\n"),
               stderr);
     }
-    if (estimate.chaotic_fraction >= PRECISION_CHAOS_SAID) {
+    if (estimate->chaotic_fraction >= PRECISION_CHAOS_SAID) {
         fprintf(
             stderr,
             gettext("dioptre: glass that traps light on chaotic paths: some %.1g %% of the pixels "
                     "may hang on the last bit, in double too\n"),
-            100 * estimate.chaotic_fraction);
+            100 * estimate->chaotic_fraction);
+    }
+}
+
+RenderSettings command_print_notes(const Options *options, const Scene *scene) {
+    PrecisionEstimate estimate = precision_estimate_of(scene);
+    if (!options->quiet) {
+        print_notes(options, scene, &estimate);
     }
     return settings_from(options, scene, &estimate);
 }

@@ -35,7 +35,7 @@ static void report_sphere_init(Shape *self, const void *parameters) {
 /**
  * Finds the box in which hits count. The formulas have hits as far beside the sphere as their
  * errors reach; these grow with the distance of the ray's origin. The box holds what rays within
- * the scene bring about. Farther hits are none, since trees do not test what is beyond boxes. See
+ * the scene bring about. Hits before it are none, since trees do not test what lies there. See
  * #ShapeExtension.bind.
  * @return true
  */
